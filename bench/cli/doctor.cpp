@@ -1,0 +1,148 @@
+// lightsweep doctor: what this machine is, and what may be believed on it.
+#include "bench/cli/commands.h"
+#include "bench/cli/device_options.h"
+#include "bench/cli/table.h"
+#include "bench/measure/environment.h"
+#include "bench/measure/known_work.h"
+#include "bench/measure/rounding_probe.h"
+#include "bench/measure/self_test.h"
+#include "bench/report/pairs.h"
+#include "bench/stats/schedule.h"
+#include "renderer/base/error.h"
+#include "renderer/gl/draw.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace lightsweep {
+namespace {
+
+constexpr int kNoiseRounds = 60;
+constexpr size_t kNoiseWork = 0;  // one_framebuffer
+
+Json devices_json() {
+    Json list = Json::array();
+    for (const auto& device : gl::list_devices()) {
+        list.push_back({{"key", device.key},
+                        {"available", device.available},
+                        {"renderer", device.renderer},
+                        {"version", device.version},
+                        {"software", device.software},
+                        {"reason", device.reason}});
+    }
+    return list;
+}
+
+// The same work twice, interleaved: how far apart two equal things look here.
+Json noise_json(const std::string& method) {
+    KnownWork work;
+    work.calibrate(3'000'000);
+    const auto timer = make_frame_timer(method);
+    std::vector<double> times[2];
+    for (size_t round = 0; round < kNoiseRounds; ++round) {
+        for (const size_t arm : schedule(2, round)) {
+            work.issue(kNoiseWork, 1, *timer);
+            gl::finish();
+            times[arm].push_back(static_cast<double>(timer->take().total_ns));
+        }
+    }
+    Json json = {{"pairs", kNoiseRounds}, {"ratio", nullptr}, {"low", nullptr}, {"high", nullptr}, {"floor", nullptr}};
+    const auto ratio = ratio_of_pairs(times[0], times[1]);
+    if (!ratio) return json;
+    json["ratio"] = ratio->ratio.estimate;
+    if (ratio->ratio.low) json["low"] = *ratio->ratio.low;
+    if (ratio->ratio.high) json["high"] = *ratio->ratio.high;
+    if (const auto floor = noise_floor(*ratio)) json["floor"] = *floor;
+    return json;
+}
+
+Json rounding_json() {
+    Json list = Json::array();
+    for (const auto& probe : probe_rounding()) {
+        list.push_back({{"format", probe.format},
+                        {"write", word(probe.write)},
+                        {"blend", word(probe.blend)},
+                        {"sum_of_4000_tenths", probe.sum_of_4000_tenths}});
+    }
+    return list;
+}
+
+void print_doctor(const Json& json) {
+    const auto& environment = json.at("environment");
+    fmt::print("machine   {} ({} cores), {}\n", environment.at("cpu").get<std::string>(),
+               environment.at("cores").get<int>(), environment.at("os").get<std::string>());
+    fmt::print("renderer  {}\n          {} ({}{})\n\n", environment.at("gl_renderer").get<std::string>(),
+               environment.at("gl_version").get<std::string>(), environment.at("gl_provider").get<std::string>(),
+               environment.at("software").get<bool>() ? ", software" : "");
+    Table devices({"device", "available", "renderer, or why not"});
+    for (const auto& d : json.at("devices")) {
+        const bool available = d.at("available").get<bool>();
+        devices.add({d.at("key").get<std::string>(), available ? "yes" : "no",
+                     (available ? d.at("renderer") : d.at("reason")).get<std::string>()});
+    }
+    fmt::print("{}\n", devices.text());
+    Table timers({"timer", "verdict", "overhead per frame", "why"});
+    for (const auto& m : json.at("timer").at("methods")) {
+        timers.add({m.at("method").get<std::string>(), m.at("accepted").get<bool>() ? "accepted" : "refused",
+                    m.at("overhead_ns").is_null() ? "" : time_text(m.at("overhead_ns").get<double>()),
+                    m.at("why").get<std::string>()});
+    }
+    fmt::print("{}used: {} ({})\n\n", timers.text(), json.at("timer").at("method").get<std::string>(),
+               json.at("timer").at("why").get<std::string>());
+    const auto& noise = json.at("noise");
+    if (noise.at("floor").is_null()) {
+        fmt::print("noise floor: unknown\n\n");
+    } else {
+        fmt::print("noise floor: {:.2f} % (the same work twice, {} pairs: ratio {:.4f})\n\n",
+                   100 * noise.at("floor").get<double>(), noise.at("pairs").get<int>(), noise.at("ratio").get<double>());
+    }
+    Table rounding({"HDR format", "write", "blend", "4000 x 0.1 blended (exact: 400)"});
+    for (const auto& p : json.at("rounding")) {
+        rounding.add({p.at("format").get<std::string>(), p.at("write").get<std::string>(),
+                      p.at("blend").get<std::string>(), fmt::format("{:.6g}", p.at("sum_of_4000_tenths").get<double>())});
+    }
+    fmt::print("{}\n", rounding.text());
+    Table limits({"limit", "value"});
+    for (const auto& [name, value] : json.at("limits").items()) limits.add({name, value.dump()});
+    fmt::print("{}", limits.text());
+    for (const auto& workaround : environment.at("workarounds")) {
+        fmt::print("\nworkaround: {}\n", workaround.get<std::string>());
+    }
+}
+
+}  // namespace
+
+Command add_doctor(CLI::App& app) {
+    struct Options {
+        DeviceOptions device;
+        bool json = false;
+    };
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("doctor", "devices, limits, timer self-test, noise floor, rounding probes");
+    options->device.add(*command);
+    command->add_flag("--json", options->json, "for programs");
+    return [options] {
+        Json json;
+        json["devices"] = devices_json();
+        const auto context = options->device.make_context();
+        json["environment"] = to_json(read_environment(*context));
+        for (const auto& [name, value] : gl::named_limits(context->limits())) json["limits"][std::string(name)] = value;
+        // The table is wanted most where no timer is accepted.
+        TimerReport timer = run_timer_self_test(all_timers(), timer_methods().back());
+        const bool trusted = std::any_of(timer.methods.begin(), timer.methods.end(), [](const auto& m) { return m.accepted; });
+        if (trusted) timer = choose_timer(std::move(timer.methods), {});
+        json["timer"] = to_json(timer);
+        json["noise"] = noise_json(timer.method);
+        json["rounding"] = rounding_json();
+        if (options->json) {
+            fmt::print("{}\n", report_text(json));
+        } else {
+            print_doctor(json);
+        }
+        if (!trusted) throw EnvironmentError("no trustworthy timer on this device");
+        return kDone;
+    };
+}
+
+}  // namespace lightsweep

@@ -1,0 +1,224 @@
+// lightsweep run: measures a sweep, group by group; each finished group is on disk before the next begins.
+#include "bench/cli/commands.h"
+#include "bench/cli/device_options.h"
+#include "bench/cli/progress.h"
+#include "bench/cli/summary.h"
+#include "bench/measure/environment.h"
+#include "bench/measure/group_runner.h"
+#include "bench/measure/self_test.h"
+#include "bench/plan/plan.h"
+#include "bench/report/assemble.h"
+#include "bench/report/journal.h"
+#include "renderer/base/error.h"
+#include "renderer/base/file.h"
+#include "renderer/base/names.h"
+#include "renderer/gbuffer/layout.h"
+#include "renderer/paths/paths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace lightsweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> interrupted{false};
+
+extern "C" void on_interrupt(int) { interrupted = true; }
+
+struct Options {
+    DeviceOptions device;
+    std::string sweep = "default";
+    std::vector<std::string> axes;
+    std::string out, time_budget, target_ci, filter, shard = "1/1", timer;
+    int64_t seed = 0;
+    bool resume = false, dry_run = false, allow_debug = false;
+};
+
+// "90s", "3m", "1h", or a number of seconds; "2%" or a fraction.
+double parse_quantity(const std::string& option, const std::string& text, const std::vector<std::pair<std::string, double>>& units,
+                      const std::string& allowed) {
+    double value = 0.0;
+    const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::string unit(rest, text.data() + text.size());
+    for (const auto& [name, factor] : units) {
+        if (failure == std::errc() && unit == name && value > 0.0 && value < 1e9) return value * factor;
+    }
+    throw InputError(fmt::format("{} {}: {} was expected", option, text, allowed));
+}
+
+double parse_duration(const std::string& text) {
+    return parse_quantity("--time-budget", text, {{"", 1.0}, {"s", 1.0}, {"m", 60.0}, {"min", 60.0}, {"h", 3600.0}},
+                          "a duration such as 90s, 3m or 1h");
+}
+
+double parse_share(const std::string& text) {
+    return parse_quantity("--target-ci", text, {{"", 1.0}, {"%", 0.01}}, "a share such as 2% or 0.02");
+}
+
+Catalog catalog() {
+    std::vector<PathName> paths;
+    for (const PathInfo* path : all_paths()) paths.push_back({std::string(path->key), path->uses_layout});
+    return shipped_catalog(std::move(paths));
+}
+
+// Everything a user may have got wrong, found before a context is made or a file is written.
+void check_inputs(const Plan& plan, SceneStore& scenes) {
+    std::set<std::string> layouts;
+    for (const auto& group : plan.groups) {
+        const CellParams& first = group.cells.front();
+        const Scene& scene = scenes.scene(first.scene);
+        if (first.lights) make_lights(scene, std::min(*first.lights, 1 << 12), {});
+        for (const auto& cell : group.cells) {
+            if (!cell.layout.empty() && layouts.insert(cell.layout).second) load_layout(cell.layout);
+        }
+    }
+}
+
+int print_plan(const Plan& plan) {
+    for (const auto& group : plan.groups) {
+        fmt::print("{}\n", group.key);
+        for (const auto& cell : group.cells) fmt::print("  {}  {}\n", cell.id(), cell.name());
+    }
+    fmt::print("{} cells in {} groups, plan {}\n", plan.cell_count, plan.groups.size(), plan.hash);
+    return kDone;
+}
+
+fs::path output_folder(const Options& options, const Sweep& sweep) {
+    if (!options.out.empty()) return options.out;
+    std::string stamp = utc_now();  // 2026-01-31T12:00:00Z
+    std::erase_if(stamp, [](char c) { return c == '-' || c == ':' || c == 'Z'; });
+    return fs::path("out") / (fs::path(sweep.key).stem().string() + "-" + stamp);
+}
+
+RunInfo make_run_info(const Plan& plan, const Options& options, std::optional<double> budget_s, double target_ci,
+                      const std::vector<std::string>& arguments) {
+    RunInfo run;
+    run.arguments = arguments;
+    run.version = program_version();
+    run.git_commit = program_git_commit();
+    run.build_type = program_build_type();
+    run.seed = options.seed;
+    run.plan_hash = plan.hash;
+    run.shard = plan.shard;
+    run.planned_cells = static_cast<int64_t>(plan.cell_count);
+    run.plan_cells = static_cast<int64_t>(plan.total_cell_count);
+    run.started_at = utc_now();
+    run.time_budget_s = budget_s;
+    run.target_ci = target_ci;
+    return run;
+}
+
+std::string group_line(const GroupResult& group) {
+    const auto ok = std::count_if(group.cells.begin(), group.cells.end(), [](const auto& c) { return c.status == CellStatus::ok; });
+    const size_t rounds = group.noise ? group.noise->round.size() : 0;
+    return fmt::format("{}: {} of {} cells ok, {} rounds, {:.1f} s", group.group, ok, group.cells.size(), rounds, group.wall_s);
+}
+
+// Runs what the journal does not hold yet. Time that a fast group leaves goes to those after it.
+void run_groups(const Plan& plan, const std::set<std::string>& done, GroupRunner& runner, JournalWriter& journal,
+                std::optional<double> budget_s, double target_ci, int64_t start_ns) {
+    const auto seconds = [&] { return static_cast<double>(now_ns() - start_ns) * 1e-9; };
+    ProgressBar bar(plan.groups.size(), budget_s);
+    double last = 0.0;
+    for (size_t i = 0; i < plan.groups.size() && !interrupted; ++i) {
+        const PlanGroup& group = plan.groups[i];
+        if (done.contains(group.key)) continue;
+        SamplingRules rules{.target_ci = target_ci};
+        if (budget_s) rules.seconds = std::max(0.0, *budget_s - seconds()) / static_cast<double>(plan.groups.size() - i);
+        GroupResult result = runner.run(group, rules, [&](double fraction) { bar.update(i, fraction, group.key); });
+        if (interrupted) break;
+        result.wall_s = seconds() - last;
+        last = seconds();
+        journal.append(result);
+        bar.finish_group(i, group_line(result));
+    }
+    bar.clear();
+}
+
+int run(const Options& options, const std::vector<std::string>& arguments) {
+    const int64_t start_ns = now_ns();
+    if (program_build_type() == "Debug" && !options.allow_debug && !options.dry_run) {
+        throw EnvironmentError("this is a Debug build: its times say nothing; build Release (or give --allow-debug)");
+    }
+    const Catalog names = catalog();
+    const Sweep sweep = load_sweep(options.sweep, names);
+    const Plan plan = make_plan(sweep, parse_axis_arguments(options.axes, names), options.filter, parse_shard(options.shard), names);
+    std::optional<double> budget_s = sweep.time_budget_s;
+    if (!options.time_budget.empty()) budget_s = parse_duration(options.time_budget);
+    const double target_ci = options.target_ci.empty() ? sweep.target_ci.value_or(0.02) : parse_share(options.target_ci);
+    if (!options.timer.empty() && std::find(timer_methods().begin(), timer_methods().end(), options.timer) == timer_methods().end()) {
+        throw InputError(unknown_name("timer", options.timer, timer_methods()));
+    }
+    SceneStore scenes(options.seed);
+    check_inputs(plan, scenes);
+    if (options.dry_run) return print_plan(plan);
+
+    const fs::path folder = output_folder(options, sweep);
+    const fs::path journal_file = folder / "journal.jsonl", report_file = folder / "report.json";
+    const auto context = options.device.make_context();
+    const Environment environment = read_environment(*context);
+    const RunInfo info = make_run_info(plan, options, budget_s, target_ci, arguments);
+    const TimerReport timer = run_timer_self_test(all_timers(), options.timer);
+
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) throw InputError(folder.string(), "cannot be made: " + failure.message());
+    std::set<std::string> done;
+    const bool resuming = options.resume && fs::exists(journal_file);
+    if (resuming) done = finished_groups(read_journal(journal_file), journal_file, info, environment);
+    JournalWriter journal = resuming ? JournalWriter::resume(journal_file)
+                                     : JournalWriter::create(journal_file, info, environment, timer);
+    fmt::print(stderr, "{}: {} cells in {} groups on {}; timer {}\n", sweep.key, plan.cell_count, plan.groups.size(),
+               environment.gl_renderer, timer.method);
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+    GroupRunner runner(scenes, timer.method, interrupted);
+    run_groups(plan, done, runner, journal, budget_s, target_ci, start_ns);
+
+    const Json report = assemble_report(read_journal(journal_file));
+    write_file_atomically(report_file, report_text(report) + "\n");
+    fmt::print("{}\nreport: {}\n", summary_text(report), report_file.string());
+    if (interrupted) {
+        fmt::print(stderr, "interrupted; the same command with --resume and --out {} goes on\n", folder.string());
+        return kInterrupted;
+    }
+    const auto& cells = report.at("cells");
+    const bool all_ok = std::all_of(cells.begin(), cells.end(), [](const Json& cell) { return cell.at("status") == "ok"; });
+    return all_ok ? kDone : kCellsFailed;
+}
+
+}  // namespace
+
+Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("run", "measure a sweep");
+    options->device.add(*command);
+    command->add_option("sweep", options->sweep, "key or .json file of a sweep")->capture_default_str();
+    command->add_option("-a,--axis", options->axes, "axis=values, in place of the sweep's: lights=1,16,256 lights=pow2:0:12 "
+                                                    "size=640x360,1280x720 path=* scene=atrium,model.gltf")
+        ->take_all();
+    command->add_option("--out", options->out, "folder for journal.jsonl and report.json (default: out/<sweep>-<time>)");
+    command->add_option("--time-budget", options->time_budget, "for the whole run: 90s, 3m, 1h");
+    command->add_option("--target-ci", options->target_ci, "stop a group when its medians are known to this half width: 2%");
+    command->add_option("--filter", options->filter, "only cells whose name matches this regular expression");
+    command->add_option("--shard", options->shard, "i/n: only this part of the groups")->capture_default_str();
+    command->add_flag("--resume", options->resume, "go on with the journal in --out");
+    command->add_option("--seed", options->seed, "of the generated lights; 0: as the scenes say")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--timer", options->timer, "use this timer whatever the self-test says");
+    command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
+    command->add_flag("--allow-debug", options->allow_debug, "measure with a Debug build all the same");
+    return [options, arguments] { return run(*options, arguments); };
+}
+
+}  // namespace lightsweep

@@ -1,0 +1,50 @@
+#include "bench/cli/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lightsweep {
+namespace {
+
+// Code points, not bytes: the cells hold a few signs beyond ASCII.
+size_t width(const std::string& text) {
+    return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+bool numeric(const std::string& text) {
+    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) != 0 || text[0] == '-' || text[0] == '<');
+}
+
+}  // namespace
+
+std::string Table::text() const {
+    std::vector<size_t> widths(rows_.front().size(), 0);
+    for (const auto& row : rows_) {
+        for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    }
+    std::string out;
+    for (size_t r = 0; r < rows_.size(); ++r) {
+        std::string line;
+        for (size_t i = 0; i < rows_[r].size(); ++i) {
+            const std::string padding(widths[i] - width(rows_[r][i]), ' ');
+            const bool right = numeric(rows_[r][i]) || (r == 0 && rows_.size() > 1 && numeric(rows_[1][i]));
+            line += (i == 0 ? "" : "  ") + (right ? padding + rows_[r][i] : rows_[r][i] + padding);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + "\n";
+        if (r == 0) out += std::string(width(line), '-') + "\n";
+    }
+    return out;
+}
+
+std::string time_text(double ns) {
+    const auto three_digits = [](double v) { return fmt::format("{:.{}f}", v, v < 9.995 ? 2 : v < 99.95 ? 1 : 0); };
+    if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
+    if (ns < 1e6) return three_digits(ns / 1e3) + " us";
+    if (ns < 1e9) return three_digits(ns / 1e6) + " ms";
+    return three_digits(ns / 1e9) + " s";
+}
+
+}  // namespace lightsweep

@@ -1,0 +1,189 @@
+#include "bench/measure/group_runner.h"
+
+#include "bench/stats/quantile.h"
+#include "bench/stats/schedule.h"
+#include "renderer/base/error.h"
+#include "renderer/gl/context.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace lightsweep {
+namespace {
+
+constexpr double kNsToS = 1e-9;
+constexpr int kWarmUpFrames = 2;  // after the first: caches, buffers and the driver's own threads settle
+
+double seconds_since(int64_t start_ns) { return static_cast<double>(now_ns() - start_ns) * kNsToS; }
+
+CellResult new_cell(const CellParams& params, const Scene& scene, size_t light_count) {
+    CellResult cell;
+    cell.id = params.id();
+    cell.group = params.group();
+    cell.name = params.name();
+    cell.params = params;
+    cell.params.lights = static_cast<int>(light_count);
+    if (!cell.params.overlap) cell.params.overlap = scene.lights.default_overlap;
+    cell.warnings = scene.warnings;
+    return cell;
+}
+
+CellWork cell_work(Arm& arm, const Subject& subject) {
+    const FrameWork& work = arm.frame().work;
+    CellWork result;
+    result.draws = static_cast<int64_t>(work.draws);
+    result.triangles = static_cast<int64_t>(work.triangles);
+    result.instances_drawn = static_cast<int64_t>(work.instances_drawn);
+    result.instances_culled = static_cast<int64_t>(work.instances_culled);
+    result.lights_drawn = static_cast<int64_t>(work.lights_drawn);
+    result.lights_culled = static_cast<int64_t>(work.lights_culled);
+    result.light_evaluations = static_cast<int64_t>(arm.count_light_evaluations());
+    result.gbuffer_bytes_per_px = arm.setup().layout.targets.empty() ? 0 : arm.setup().layout.bytes_per_pixel();
+    result.target_bytes_per_px = arm.path().bytes_per_pixel();
+    result.memory_bytes = static_cast<int64_t>(arm.path().memory_bytes() + subject.scene.memory_bytes());
+    return result;
+}
+
+void append(const FrameSample& sample, int64_t round, const std::vector<std::string>& pass_names, Samples& samples) {
+    if (samples.passes.empty()) {
+        for (const auto& name : pass_names) samples.passes.push_back({name, {}});
+        samples.passes.push_back({"unattributed", {}});
+    }
+    samples.round.push_back(round);
+    samples.cpu_ns.push_back(sample.cpu_ns);
+    samples.gpu_ns.push_back(sample.gpu.total_ns);
+    samples.wall_ns.push_back(sample.wall_ns);
+    for (size_t i = 0; i < pass_names.size(); ++i) samples.passes[i].second.push_back(sample.gpu.passes_ns[i]);
+    samples.passes.back().second.push_back(sample.gpu.unattributed_ns);
+}
+
+// Whether the median is known to within `target` of itself.
+bool tight(const std::vector<int64_t>& ns, double target) {
+    const std::vector<double> values(ns.begin(), ns.end());
+    const Interval interval = median_interval(values);
+    if (!interval.low || !interval.high) return false;
+    return *interval.high - *interval.low <= 2.0 * target * interval.estimate;
+}
+
+}  // namespace
+
+// A place in the round: a cell's arm, or the twin of the first one.
+struct GroupRunner::Slot {
+    Arm* arm = nullptr;
+    size_t cell = 0;
+    bool twin = false;
+    std::unique_ptr<Arm> owned;
+};
+
+CellParams control_cell(const CellParams& any_cell_of_group) {
+    CellParams control = any_cell_of_group;
+    control.path = "deferred";
+    control.layout = "float32";
+    control.hdr = "rgba32f";
+    return control;
+}
+
+GroupRunner::GroupRunner(SceneStore& scenes, std::string timer_method, const std::atomic<bool>& interrupted)
+    : scenes_(&scenes), interrupted_(&interrupted), timer_(make_frame_timer(timer_method)) {}
+
+FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
+    const FrameSample sample = arm.sample(*timer_);
+    result.frames_s += static_cast<double>(sample.wall_ns) * kNsToS;
+    return sample;
+}
+
+void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupResult& result, std::vector<Slot>& slots) {
+    for (const auto& params : group.cells) {
+        CellResult cell = new_cell(params, subject.scene.scene(), subject.lights.size());
+        const auto fail = [&](CellStatus status, const std::string& reason) {
+            cell.status = status;
+            cell.reason = reason;
+        };
+        try {
+            const int64_t start = now_ns();
+            auto arm = std::make_unique<Arm>(params, subject, buffers_, shapes_);
+            arm->sample(*timer_);
+            cell.first_frame_ns = now_ns() - start;
+            result.frames_s += static_cast<double>(*cell.first_frame_ns) * kNsToS;
+            for (int i = 0; i < kWarmUpFrames; ++i) take(*arm, result);
+            cell.work = cell_work(*arm, subject);
+            gl::Context::current()->throw_on_debug_errors(cell.name);
+            slots.push_back({.arm = arm.get(), .cell = result.cells.size(), .twin = false, .owned = std::move(arm)});
+        } catch (const InputError& error) {
+            fail(CellStatus::invalid, error.what());
+        } catch (const EnvironmentError& error) {
+            fail(CellStatus::skipped, error.what());
+        } catch (const std::exception& error) {
+            fail(CellStatus::error, error.what());
+        }
+        result.cells.push_back(std::move(cell));
+    }
+    if (!slots.empty()) slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
+}
+
+void GroupRunner::measure_errors(const Subject& subject, GroupResult& result, std::vector<Slot>& slots) {
+    const CellParams control = control_cell(result.cells.front().params);
+    Arm arm(control, subject, buffers_, shapes_);
+    arm.draw();
+    const Image hdr = arm.hdr_image();
+    const Image display = arm.display_image();
+    for (const auto& slot : slots) {
+        if (slot.twin) continue;
+        slot.arm->draw();
+        result.cells[slot.cell].error =
+            CellError{.against = "control",
+                      .hdr = compare_images(hdr, slot.arm->hdr_image()),
+                      .display = compare_images(display, slot.arm->display_image())};
+    }
+}
+
+std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
+                                       std::vector<Slot>& slots, const GroupProgress& progress) {
+    for (int round = 0;; ++round) {
+        for (const size_t s : schedule(slots.size(), static_cast<size_t>(round))) {
+            if (*interrupted_) return "interrupted";
+            const Slot& slot = slots[s];
+            const FrameSample sample = take(*slot.arm, result);
+            if (slot.twin) {
+                result.noise->round.push_back(round);
+                result.noise->wall_ns.push_back(sample.wall_ns);
+            } else {
+                append(sample, round, slot.arm->path().pass_names(), result.cells[slot.cell].samples);
+            }
+        }
+        const double elapsed = seconds_since(start_ns);
+        const int done = round + 1;
+        progress(std::max(elapsed / rules.seconds, static_cast<double>(done) / rules.max_rounds));
+        if (done < rules.min_rounds) continue;
+        const bool all_tight = std::all_of(slots.begin(), slots.end(), [&](const Slot& slot) {
+            return slot.twin || tight(result.cells[slot.cell].samples.wall_ns, rules.target_ci);
+        });
+        // Only after whole cycles of the schedule, as long as there is time: then every place was taken equally often.
+        if (all_tight && static_cast<size_t>(done) % rounds_per_cycle(slots.size()) == 0) return "target_ci";
+        if (elapsed >= rules.seconds) return "budget";
+        if (done >= rules.max_rounds) return "max_rounds";
+    }
+}
+
+GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress) {
+    const int64_t start_ns = now_ns();
+    GroupResult result{.group = group.key, .cells = {}, .noise = {}};
+    const CellParams& first = group.cells.front();
+    const GpuScene& gpu_scene = scenes_->gpu_scene(first.scene);
+    const Scene& scene = gpu_scene.scene();
+    const Subject subject{.scene = gpu_scene,
+                      .lights = make_lights(scene, first.lights.value_or(scene.lights.default_count),
+                                            {first.overlap.value_or(scene.lights.default_overlap)}),
+                      .width = first.width,
+                      .height = first.height};
+    std::vector<Slot> slots;
+    prepare(group, subject, result, slots);
+    if (slots.empty()) return result;
+    measure_errors(subject, result, slots);
+    result.noise = NoiseTwin{.arm = result.cells[slots.front().cell].name, .round = {}, .wall_ns = {}};
+    const std::string stop_reason = sample_rounds(rules, start_ns, result, slots, progress);
+    for (const auto& slot : slots) result.cells[slot.cell].stop_reason = stop_reason;
+    return result;
+}
+
+}  // namespace lightsweep

@@ -1,0 +1,52 @@
+// Measures one group: all arms live at once, their frames interleaved in a balanced order so that what slows the
+// machine slows them alike; the first arm runs a second time as its own twin, whose ratio to it is the noise floor.
+#pragma once
+
+#include "bench/measure/arm.h"
+#include "bench/measure/scene_store.h"
+#include "bench/plan/plan.h"
+#include "bench/report/record.h"
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace lightsweep {
+
+struct SamplingRules {
+    double seconds = 1e9;       ///< for the whole group, preparing it included
+    double target_ci = 0.02;    ///< stop when every arm's median is known to this half width (fraction)
+    int min_rounds = 6;         ///< below this a median has no interval
+    int max_rounds = 400;
+};
+
+/// What a progress bar shows: [0, 1] of this group.
+using GroupProgress = std::function<void(double fraction)>;
+
+class GroupRunner {
+  public:
+    GroupRunner(SceneStore& scenes, std::string timer_method, const std::atomic<bool>& interrupted);
+
+    /// A cell that cannot be measured is recorded with its reason and the rest goes on. Throws InputError when the
+    /// scene cannot be loaded. When `interrupted` becomes true it returns early: the result is not a finished group.
+    GroupResult run(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress);
+
+  private:
+    struct Slot;
+    void prepare(const PlanGroup& group, const Subject& subject, GroupResult& result, std::vector<Slot>& slots);
+    void measure_errors(const Subject& subject, GroupResult& result, std::vector<Slot>& slots);
+    std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
+                              std::vector<Slot>& slots, const GroupProgress& progress);
+    FrameSample take(Arm& arm, GroupResult& result);
+
+    SceneStore* scenes_;
+    const std::atomic<bool>* interrupted_;
+    std::unique_ptr<FrameTimer> timer_;
+    FrameBuffers buffers_;
+    DrawShapes shapes_;
+};
+
+/// The control arm of a group: nothing packed. Errors of all its cells are taken against this image.
+CellParams control_cell(const CellParams& any_cell_of_group);
+
+}  // namespace lightsweep

@@ -1,0 +1,61 @@
+// One point of a sweep: its parameters, the one line of text that names it everywhere, and what is derived from that
+// line. Knows no scene and no GL: the scene's own light count stays "default" here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lightsweep {
+
+inline constexpr int kMaxLights = 1'048'576;
+inline constexpr int kMaxExtentPx = 65'536;
+/// Formats of the HDR target, the default first.
+extern const std::vector<std::string> kHdrFormats;
+
+struct CellParams {
+    std::string scene;              ///< key or file
+    std::optional<int> lights;      ///< [0, kMaxLights]; nothing: the scene's own count
+    int width = 640;                ///< px, [1, kMaxExtentPx]
+    int height = 360;               ///< px, [1, kMaxExtentPx]
+    std::optional<double> overlap;  ///< lights reaching a point, > 0; 0: fixed radius; nothing: the scene's own regime
+    std::string path;               ///< key
+    std::string layout;             ///< key or file; empty for paths without one
+    std::string hdr = "rgba16f";    ///< one of kHdrFormats
+
+    bool operator==(const CellParams&) const = default;
+
+    /// `scene=atrium lights=64 size=640x360 path=deferred layout=oct16 hdr=rgba16f`: canonical, so that equal cells
+    /// have equal names. What is left out: the scene's own overlap regime, and the layout of a path without one.
+    std::string name() const;
+    /// The part of the name that the cells compared with each other share: scene, lights, size, overlap.
+    std::string group() const;
+    /// hash_hex of the name; the same in every shard.
+    std::string id() const;
+};
+
+/// One `key=value` word of a cell's name. The table of them is also the table of a sweep's axes.
+struct CellField {
+    std::string name;
+    std::string allowed;  ///< what a user may write as one value, for messages and help
+    bool of_group;        ///< part of the group's key
+    /// Empty: left out of the name.
+    std::string (*text)(const CellParams&);
+    /// False: the value is not allowed.
+    bool (*set)(CellParams&, const std::string& value);
+};
+
+/// scene, lights, size, overlap, path, layout, hdr: in the order of the name.
+const std::vector<CellField>& cell_fields();
+/// Throws InputError with the nearest name.
+const CellField& find_cell_field(std::string_view name);
+
+/// Sets one field from its text. Throws InputError naming field, value and what is allowed. Whether a scene, path or
+/// layout of that name exists is not its business.
+void set_cell_field(CellParams& cell, const CellField& field, const std::string& value);
+
+/// The inverse of CellParams::name(). Throws InputError.
+CellParams parse_cell(std::string_view name);
+
+}  // namespace lightsweep

@@ -1,0 +1,195 @@
+#include "bench/report/assemble.h"
+
+#include "bench/report/crossovers.h"
+#include "bench/report/json_codec.h"
+#include "bench/report/pairs.h"
+#include "bench/report/report_file.h"
+
+#include "bench/stats/autocorrelation.h"
+#include "bench/stats/pareto.h"
+#include "bench/stats/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lightsweep {
+namespace {
+
+using codec::encode;
+
+Json estimate_json(const std::vector<int64_t>& samples_ns) {
+    const std::vector<double> samples(samples_ns.begin(), samples_ns.end());
+    const auto n = static_cast<double>(samples.size());
+    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / n;
+    const double squares = std::accumulate(samples.begin(), samples.end(), 0.0,
+                                           [&](double sum, double v) { return sum + (v - mean) * (v - mean); });
+    const auto [min, max] = std::ranges::minmax(samples_ns);
+    const Interval center = median_interval(samples, kIntervalLevel);
+    return {{"median", encode(center.estimate)},
+            {"low", encode(center.low)},
+            {"high", encode(center.high)},
+            {"mean", encode(mean)},
+            {"stddev", encode(n > 1.0 ? std::sqrt(squares / (n - 1.0)) : std::nan(""))},
+            {"min", min},
+            {"max", max},
+            {"count", samples.size()},
+            {"effective_count", encode(effective_sample_size(sides_of_median(samples)))}};
+}
+
+Json statistics_json(const Samples& samples) {
+    if (samples.count() == 0) return nullptr;
+    Json passes = Json::object();
+    for (const auto& [name, pass_ns] : samples.passes) passes[name] = estimate_json(pass_ns);
+    return {{"gpu_ns", estimate_json(samples.gpu_ns)},
+            {"cpu_ns", estimate_json(samples.cpu_ns)},
+            {"wall_ns", estimate_json(samples.wall_ns)},
+            {"passes", std::move(passes)}};
+}
+
+Json cells_json(const std::vector<GroupResult>& groups) {
+    Json cells = Json::array();
+    for (const auto& group : groups) {
+        for (const auto& cell : group.cells) {
+            Json json = to_json(cell);
+            json["statistics"] = statistics_json(cell.samples);
+            cells.push_back(std::move(json));
+        }
+    }
+    return cells;
+}
+
+Json noise_json(const std::vector<GroupResult>& groups, std::optional<double> floor) {
+    Json twins = Json::array();
+    for (const auto& group : groups) {
+        if (!group.noise) continue;
+        const auto ratio = noise_ratio(group);
+        Json twin{{"group", group.group},
+                  {"arm", group.noise->arm},
+                  {"ratio", ratio ? encode(ratio->ratio.estimate) : Json(nullptr)},
+                  {"low", ratio ? encode(ratio->ratio.low) : Json(nullptr)},
+                  {"high", ratio ? encode(ratio->ratio.high) : Json(nullptr)},
+                  {"pairs", ratio ? ratio->pairs : 0}};
+        twin.update({{"round", encode(group.noise->round)}, {"wall_ns", encode(group.noise->wall_ns)}});
+        twins.push_back(std::move(twin));
+    }
+    return {{"floor", encode(floor)}, {"groups", std::move(twins)}};
+}
+
+Json pairs_json(const std::vector<GroupResult>& groups, std::optional<double> run_floor) {
+    Json pairs = Json::array();
+    for (const auto& group : groups) {
+        for (const auto& pair : compare_arms(group, run_floor)) {
+            pairs.push_back({{"group", group.group},
+                             {"metric", "wall_ns"},
+                             {"a", pair.a->id},
+                             {"b", pair.b->id},
+                             {"ratio", encode(pair.ratio.ratio.estimate)},
+                             {"low", encode(pair.ratio.ratio.low)},
+                             {"high", encode(pair.ratio.ratio.high)},
+                             {"pairs", pair.ratio.pairs},
+                             {"verdict", word(pair.verdict)},
+                             {"floor", encode(pair.floor)}});
+        }
+    }
+    return pairs;
+}
+
+Json crossovers_json(const std::vector<GroupResult>& groups) {
+    const auto arm_json = [](const CellParams& arm) {
+        return Json{
+            {"path", arm.path}, {"layout", arm.layout.empty() ? Json(nullptr) : Json(arm.layout)}, {"hdr", arm.hdr}};
+    };
+    Json crossovers = Json::array();
+    for (const auto& [a, b, crossover] : find_crossovers(groups)) {
+        const auto& lights = crossover.lights;
+        const bool has_regime = a.overlap.value_or(0.0) > 0.0;
+        crossovers.push_back({{"scene", a.scene},
+                              {"width_px", a.width},
+                              {"height_px", a.height},
+                              {"overlap", has_regime ? Json(*a.overlap) : Json(nullptr)},
+                              {"a", arm_json(a)},
+                              {"b", arm_json(b)},
+                              {"lights", lights ? encode(lights->estimate) : Json(nullptr)},
+                              {"low", lights ? encode(lights->low) : Json(nullptr)},
+                              {"high", lights ? encode(lights->high) : Json(nullptr)},
+                              {"reason", lights ? Json(nullptr) : Json(crossover.statement)},
+                              {"statement", crossover.statement}});
+    }
+    return crossovers;
+}
+
+Json pareto_json(const std::vector<GroupResult>& groups) {
+    Json result = Json::array();
+    for (const auto& group : groups) {
+        std::vector<std::string> ids;
+        std::vector<TimeAndError> points;
+        for (const auto& cell : group.cells) {
+            if (!cell.measured() || !cell.error) continue;
+            const auto rmse = cell.error->display.value("rmse");
+            if (!rmse) continue;
+            const std::vector<double> wall_ns(cell.samples.wall_ns.begin(), cell.samples.wall_ns.end());
+            ids.push_back(cell.id);
+            points.push_back({.time = median(wall_ns), .error = *rmse});
+        }
+        if (points.empty()) continue;
+        std::vector<std::string> front;
+        for (const size_t index : pareto_front(points)) front.push_back(ids[index]);
+        std::erase_if(ids, [&](const std::string& id) { return std::ranges::find(front, id) != front.end(); });
+        result.push_back({{"group", group.group},
+                          {"metric_time", "wall_ns"},
+                          {"metric_error", "display.rmse"},
+                          {"front", front},
+                          {"dominated", ids}});
+    }
+    return result;
+}
+
+Json summary_json(const JournalContent& journal) {
+    Json counts = Json::object();
+    for (const auto& name : kCellStatusNames) counts[name] = 0;
+    int64_t cells = 0;
+    for (const auto& group : journal.groups) {
+        for (const auto& cell : group.cells) {
+            auto& count = counts[kCellStatusNames[static_cast<size_t>(cell.status)]];
+            count = count.get<int64_t>() + 1;
+            ++cells;
+        }
+    }
+    return {{"planned", journal.run.planned_cells},
+            {"counts", std::move(counts)},
+            {"complete", cells == journal.run.planned_cells}};
+}
+
+Json run_json(const JournalContent& journal, bool complete) {
+    double wall_s = 0.0;
+    double frames_s = 0.0;
+    for (const auto& group : journal.groups) {
+        wall_s += group.wall_s;
+        frames_s += group.frames_s;
+    }
+    Json run = to_json(journal.run);
+    run["wall_s"] = encode(wall_s);
+    run["stopped_because"] = complete ? "complete" : "interrupted";
+    run["frames_share"] = wall_s > 0.0 ? encode(frames_s / wall_s) : Json(0.0);
+    return run;
+}
+
+}  // namespace
+
+Json assemble_report(const JournalContent& journal) {
+    const auto floor = noise_floor(journal.groups);
+    Json summary = summary_json(journal);
+    return {{"schema", kReportSchema},
+            {"run", run_json(journal, summary.at("complete").get<bool>())},
+            {"environment", to_json(journal.environment)},
+            {"timer", to_json(journal.timer)},
+            {"noise", noise_json(journal.groups, floor)},
+            {"cells", cells_json(journal.groups)},
+            {"pairs", pairs_json(journal.groups, floor)},
+            {"crossovers", crossovers_json(journal.groups)},
+            {"pareto", pareto_json(journal.groups)},
+            {"summary", std::move(summary)}};
+}
+
+}  // namespace lightsweep

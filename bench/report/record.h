@@ -1,0 +1,170 @@
+// What a run writes down: plain data as measured, nothing derived, and its JSON. Statistics are computed from it later
+// (assemble.h). Times are integers in nanoseconds, one per frame.
+#pragma once
+
+#include "bench/plan/plan.h"
+
+#include "bench/metrics/image_error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lightsweep {
+
+/// Keeps the order in which keys are written: passes stay in the order in which they ran.
+using Json = nlohmann::ordered_json;
+
+/// What was asked for, and by which program.
+struct RunInfo {
+    std::vector<std::string> arguments;
+    std::string version;
+    std::optional<std::string> git_commit;
+    std::string build_type;
+    int64_t seed = 0;
+    std::string plan_hash;  ///< Plan::hash
+    Shard shard;
+    int64_t planned_cells = 0;  ///< in this shard
+    int64_t plan_cells = 0;     ///< in all shards
+    std::string started_at;     ///< ISO 8601, UTC
+    std::optional<double> time_budget_s;
+    double target_ci = 0.02;  ///< half width of a median's interval, as a fraction of it
+};
+
+struct Environment {
+    std::string cpu;
+    int64_t cores = 0;
+    int64_t memory_bytes = 0;
+    std::string os;
+    std::string gl_provider;  ///< egl_device, egl_surfaceless, osmesa
+    std::string gl_vendor;
+    std::string gl_renderer;
+    std::string gl_version;
+    bool software = false;
+    std::map<std::string, std::string> driver_variables;
+    std::vector<std::string> workarounds;
+    std::string compiler;
+    std::string fingerprint;  ///< environment_fingerprint() of the rest
+};
+
+/// A hash of what changes times: everything but the memory's size, which varies between boots, and the fingerprint.
+std::string environment_fingerprint(const Environment& environment);
+
+/// What differs of that, as `cpu: "A" / "B", cores: 2 / 4`; empty when the fingerprints' contents agree.
+std::string environment_difference(const Environment& a, const Environment& b);
+
+/// One kind of known work, timed by one method and by the yardstick (the steady clock with glFinish).
+struct TimerCase {
+    std::string kind;
+    std::vector<int64_t> target_px;  ///< width, height
+    int64_t framebuffers = 1;
+    std::vector<int64_t> work;  ///< multiples of the unit of work
+    std::vector<int64_t> measured_ns;
+    std::vector<int64_t> yardstick_ns;
+    std::optional<double> ratio;      ///< measured over yardstick
+    std::optional<double> linearity;  ///< R^2 of measured time over work
+};
+
+struct TimerMethodReport {
+    std::string method;
+    bool accepted = false;
+    std::string why;
+    std::optional<int64_t> overhead_ns;
+    std::vector<TimerCase> cases;
+};
+
+/// The self-test's verdict on every way to time the GPU.
+struct TimerReport {
+    std::string method;   ///< the one in use
+    bool forced = false;  ///< by the user, against or without the verdict
+    std::string why;
+    std::vector<TimerMethodReport> methods;
+};
+
+enum class CellStatus { ok, skipped, invalid, error, timeout, crashed };
+extern const std::vector<std::string> kCellStatusNames;  ///< by value
+
+struct CellWork {
+    int64_t draws = 0;
+    int64_t triangles = 0;
+    int64_t instances_drawn = 0;
+    int64_t instances_culled = 0;
+    int64_t lights_drawn = 0;
+    int64_t lights_culled = 0;
+    std::optional<int64_t> light_evaluations;
+    int64_t gbuffer_bytes_per_px = 0;
+    int64_t target_bytes_per_px = 0;  ///< of all targets, the G-buffer among them
+    int64_t memory_bytes = 0;
+    std::map<std::string, int64_t> skipped;  ///< what was not needed, counted by kind
+};
+
+/// One element per frame, in the order taken; all arrays are equally long.
+struct Samples {
+    std::vector<int64_t> round;    ///< the frame's round of the interleaving: frames of one round are paired
+    std::vector<int64_t> cpu_ns;   ///< to build the frame
+    std::vector<int64_t> gpu_ns;   ///< all passes
+    std::vector<int64_t> wall_ns;  ///< from the start of building to the finished picture
+    /// By pass, in the order run; with `unattributed` they sum to gpu_ns in each frame.
+    std::vector<std::pair<std::string, std::vector<int64_t>>> passes;
+
+    size_t count() const { return wall_ns.size(); }
+};
+
+struct CellError {
+    std::string against;  ///< control
+    ImageError hdr;       ///< of the linear image
+    ImageError display;   ///< after tone mapping
+};
+
+struct CellResult {
+    std::string id;     ///< CellParams::id() of the planned cell
+    std::string group;  ///< CellParams::group() of the planned cell
+    std::string name;   ///< CellParams::name() of the planned cell
+    CellParams params;  ///< with the scene's own light count and overlap filled in, where the scene could be loaded
+    CellStatus status = CellStatus::ok;
+    std::optional<std::string> reason;  ///< of any status but ok
+    std::vector<std::string> warnings;
+    std::optional<CellWork> work;
+    std::optional<int64_t> first_frame_ns;   ///< with the compiling of shaders
+    std::optional<std::string> stop_reason;  ///< why sampling ended: target_ci, budget, ...
+    Samples samples;
+    std::optional<CellError> error;
+
+    /// It may be compared with others.
+    bool measured() const { return status == CellStatus::ok && samples.count() > 0; }
+};
+
+/// The same arm a second time in the same rounds: its ratio to itself is the noise.
+struct NoiseTwin {
+    std::string arm;  ///< the cell's name
+    std::vector<int64_t> round;
+    std::vector<int64_t> wall_ns;
+};
+
+struct GroupResult {
+    std::string group;
+    std::vector<CellResult> cells;
+    std::optional<NoiseTwin> noise;
+    double wall_s = 0.0;    ///< since the group before was written, or since the program started
+    double frames_s = 0.0;  ///< of it in frames: sampled, or warm-up
+};
+
+/// Strict JSON: a number that is not finite becomes null. Defined for the structs above that a file holds whole.
+template <typename Record>
+Json to_json(const Record& record);
+
+/// The inverse; null in a number is NaN. Unknown keys are ignored. Throws InputError with `where` and the JSON pointer.
+template <typename Record>
+Record from_json(const Json& json, const std::string& where);
+
+/// The text of a file: indented, but a list of plain values on one line. Bytes that are not UTF-8 become U+FFFD.
+std::string report_text(const Json& json);
+/// The same on one line, without its end.
+std::string line_text(const Json& json);
+
+}  // namespace lightsweep

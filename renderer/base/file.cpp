@@ -1,0 +1,47 @@
+#include "renderer/base/file.h"
+
+#include "renderer/base/error.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace lightsweep {
+
+std::string read_file(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path)) throw InputError(path.string(), "is a folder, not a file");
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
+    std::ostringstream text;
+    text << in.rdbuf();
+    return std::move(text).str();
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+    const std::string temporary = path.string() + ".part";
+    const auto fail = [&](const char* what) {
+        const int code = errno;
+        ::unlink(temporary.c_str());
+        throw InputError(path.string(), std::string(what) + ": " + std::strerror(code));
+    };
+    const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) fail("cannot be written");
+    while (!content.empty()) {
+        const ssize_t n = ::write(fd, content.data(), content.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) {
+            ::close(fd);
+            fail("cannot be written");
+        }
+        content.remove_prefix(static_cast<size_t>(n));
+    }
+    const bool synced = ::fsync(fd) == 0;
+    if (::close(fd) != 0 || !synced) fail("cannot be flushed to disk");
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("cannot be put in place");
+}
+
+}  // namespace lightsweep

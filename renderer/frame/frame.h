@@ -1,0 +1,66 @@
+// One frame: what the camera sees of a scene and its lights. Built on the CPU once per frame, uploaded, and then the
+// same for every path.
+#pragma once
+
+#include "renderer/frame/gpu_scene.h"
+#include "renderer/gl/buffer.h"
+#include "renderer/scene/scene.h"
+#include "shaders/shared/types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace lightsweep {
+
+/// How depth grows: standard 0 (near) to 1 (far), reversed 1 (near) to 0 (far). Clip depth is zero to one in both.
+enum class DepthConvention : uint8_t { standard, reversed };
+
+/// Camera-relative world to clip, zero-to-one depth, in double precision.
+glm::dmat4 camera_projection(const Camera& camera, int width, int height, DepthConvention convention);
+
+struct DrawCall {
+    uint32_t batch;           ///< index into GpuScene::batches()
+    uint32_t instance_count;
+    uint32_t first_visible;   ///< offset into Frame::visible_instances
+};
+
+/// What was drawn, and what culling left out.
+struct FrameWork {
+    uint64_t draws = 0;
+    uint64_t triangles = 0;
+    uint64_t instances_drawn = 0;
+    uint64_t instances_culled = 0;
+    uint64_t lights_drawn = 0;
+    uint64_t lights_culled = 0;
+};
+
+struct Frame {
+    shared::FrameData data;
+    std::vector<DrawCall> draws;
+    std::vector<uint32_t> visible_instances;
+    std::vector<shared::LightData> lights;  ///< directional ones first; only those that can reach the view
+    FrameWork work;
+};
+
+struct FrameSetup {
+    Camera camera;
+    int width = 1;
+    int height = 1;
+    DepthConvention convention = DepthConvention::reversed;
+};
+
+/// Culls instances and lights against the view frustum and makes the lights camera-relative. Reuses the memory of `frame`.
+void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame);
+
+/// The frame's data on the GPU; one of these serves every path of a group, refilled each frame.
+class FrameBuffers {
+  public:
+    FrameBuffers();
+    void upload(const Frame& frame);
+    void bind(const GpuScene& scene) const;
+
+  private:
+    gl::Buffer constants_, visible_instances_, lights_;
+};
+
+}  // namespace lightsweep

@@ -1,0 +1,154 @@
+#include "renderer/frame/gpu_scene.h"
+
+#include "shaders/shared/slots.h"
+#include "shaders/shared/types.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace lightsweep {
+namespace {
+
+constexpr gl::VertexBinding kVertexBinding{.binding = 0, .stride_bytes = sizeof(Vertex)};
+constexpr gl::VertexBinding kVisibleBinding{.binding = 1, .stride_bytes = sizeof(uint32_t), .divisor = 1};
+
+shared::InstanceData instance_data(const glm::dmat4& m) {
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const glm::vec3 high(m[3]);
+    const glm::vec3 low(glm::dvec3(m[3]) - glm::dvec3(high));
+    // The cofactor matrix is the inverse transpose times the determinant: it exists for singular matrices too. Its
+    // scale is divided out, since cofactors of a scale of 1e-20 would underflow in float.
+    const double sign = glm::dot(glm::cross(x, y), z) < 0.0 ? -1.0 : 1.0;
+    glm::dvec3 nx = sign * glm::cross(y, z), ny = sign * glm::cross(z, x), nz = sign * glm::cross(x, y);
+    double largest = 0.0;
+    for (const auto& v : {nx, ny, nz}) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest > 0.0) {
+        nx /= largest;
+        ny /= largest;
+        nz /= largest;
+    }
+    return {glm::vec4(glm::vec3(x), high.x), glm::vec4(glm::vec3(y), high.y), glm::vec4(glm::vec3(z), high.z),
+            glm::vec4(glm::vec3(nx), low.x), glm::vec4(glm::vec3(ny), low.y), glm::vec4(glm::vec3(nz), low.z)};
+}
+
+InstanceBounds bounding_sphere(const Bounds& bounds, const glm::dmat4& m) {
+    if (bounds.empty()) return {glm::dvec3(m[3]), 0.0};
+    const double scale = std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
+                                   glm::length(glm::dvec3(m[2]))});
+    return {glm::dvec3(m * glm::dvec4(bounds.center(), 1.0)), 0.5 * glm::length(bounds.size()) * scale};
+}
+
+gl::Texture one_texel(uint8_t r, uint8_t g, uint8_t b, const char* label) {
+    gl::Texture texture({.filter = gl::Filter::trilinear, .label = label});
+    const uint8_t texel[] = {r, g, b, 255};
+    texture.upload_rgba8(texel);
+    return texture;
+}
+
+}  // namespace
+
+GpuScene::GpuScene(const Scene& scene, const SceneNeeds& needs) : scene_(&scene), needs_(needs) {
+    make_batches();
+    upload_geometry();
+    upload_materials();
+}
+
+void GpuScene::make_batches() {
+    std::map<std::pair<uint32_t, bool>, size_t> batch_of;
+    for (uint32_t i = 0; i < scene_->instances.size(); ++i) {
+        const Instance& instance = scene_->instances[i];
+        const Mesh& mesh = scene_->meshes[instance.mesh];
+        const bool mirrored = glm::determinant(glm::dmat3(instance.transform)) < 0.0;
+        const auto [found, is_new] = batch_of.try_emplace({instance.mesh, mirrored}, batches_.size());
+        if (is_new) {
+            batches_.push_back({.mesh = instance.mesh,
+                                .first_index = mesh.first_index,
+                                .index_count = mesh.index_count,
+                                .material = mesh.material,
+                                .double_sided = scene_->materials[mesh.material].double_sided,
+                                .mirrored = mirrored,
+                                .instances = {}});
+        }
+        batches_[found->second].instances.push_back(i);
+        instance_bounds_.push_back(bounding_sphere(mesh.bounds, instance.transform));
+    }
+}
+
+void GpuScene::upload_geometry() {
+    std::vector<shared::InstanceData> instances;
+    instances.reserve(scene_->instances.size());
+    for (const auto& instance : scene_->instances) instances.push_back(instance_data(instance.transform));
+    vertices_ = gl::Buffer(std::as_bytes(std::span(scene_->vertices)), "vertices");
+    indices_ = gl::Buffer(std::as_bytes(std::span(scene_->indices)), "indices");
+    instances_ = gl::Buffer(std::as_bytes(std::span<const shared::InstanceData>(instances)), "instances");
+
+    const gl::VertexBinding bindings[] = {kVertexBinding, kVisibleBinding};
+    const gl::VertexAttribute attributes[] = {
+        {shared::kPositionAttribute, 0, 3, offsetof(Vertex, position)},
+        {shared::kNormalAttribute, 0, 3, offsetof(Vertex, normal)},
+        {shared::kTangentAttribute, 0, 4, offsetof(Vertex, tangent)},
+        {shared::kTexcoordAttribute, 0, 2, offsetof(Vertex, uv)},
+        {shared::kInstanceAttribute, 1, 1, 0, true},
+    };
+    vertex_array_ = gl::VertexArray(bindings, attributes, "meshes");
+    vertex_array_.set_buffer(kVertexBinding, vertices_);
+    vertex_array_.set_indices(indices_);
+    memory_bytes_ = vertices_.size_bytes() + indices_.size_bytes() + instances_.size_bytes();
+}
+
+void GpuScene::upload_materials() {
+    for (size_t i = 0; i < scene_->materials.size(); ++i) {
+        const Material& m = scene_->materials[i];
+        const shared::MaterialData data{
+            .base_color = m.base_color,
+            .roughness = m.roughness,
+            .specular = m.specular,
+            .metallic = m.metallic,
+            .emissive = m.emissive,
+            .model = static_cast<uint32_t>(m.model),
+            .normal_scale = m.normal_scale,
+            .alpha_cutoff = m.alpha_cutoff,
+            .specular_from_luminance = m.specular_from_luminance ? 1.0F : 0.0F,
+            .id = static_cast<uint32_t>(i),
+        };
+        materials_.emplace_back(std::as_bytes(std::span(&data, 1)), "material " + m.name);
+        memory_bytes_ += materials_.back().size_bytes();
+    }
+    if (!needs_.textures()) return;
+    for (const auto& image : scene_->textures) {
+        textures_.emplace_back(gl::TextureDesc{.width = image.width,
+                                               .height = image.height,
+                                               .format = image.srgb ? gl::Format::SRGB8_A8 : gl::Format::RGBA8,
+                                               .filter = gl::Filter::trilinear,
+                                               .label = image.name});
+        textures_.back().upload_rgba8(image.rgba);
+        memory_bytes_ += textures_.back().size_bytes();
+    }
+    white_ = one_texel(255, 255, 255, "white");
+    flat_normal_ = one_texel(128, 128, 255, "flat normal");
+}
+
+void GpuScene::bind(const gl::Buffer& visible_instances) const {
+    vertex_array_.bind();
+    vertex_array_.set_buffer(kVisibleBinding, visible_instances);
+    instances_.bind_storage(shared::kInstanceBuffer);
+}
+
+void GpuScene::bind_material(uint32_t material) const {
+    materials_[material].bind_uniform(shared::kMaterialBlock);
+    if (!needs_.textures()) return;
+    const Material& m = scene_->materials[material];
+    const auto bind = [&](bool needed, int unit, int texture, const gl::Texture& otherwise) {
+        if (!needed) return;
+        (texture == kNoTexture ? otherwise : textures_[static_cast<size_t>(texture)])
+            .bind(static_cast<unsigned>(unit));
+    };
+    bind(needs_.base_color_textures, shared::kBaseColorUnit, m.base_color_texture, white_);
+    bind(needs_.metallic_roughness_textures, shared::kMetallicRoughnessUnit, m.metallic_roughness_texture, white_);
+    bind(needs_.normal_textures, shared::kNormalUnit, m.normal_texture, flat_normal_);
+    bind(needs_.emissive_textures, shared::kEmissiveUnit, m.emissive_texture, white_);
+}
+
+}  // namespace lightsweep

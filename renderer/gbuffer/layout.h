@@ -1,0 +1,56 @@
+// A G-buffer packing layout: which field goes where, in which encoding and format. Data from a JSON file
+// (docs/layouts.md); knows what a scene needs, and nothing of passes.
+#pragma once
+
+#include "renderer/frame/frame.h"
+#include "renderer/gbuffer/encoding.h"
+#include "renderer/gbuffer/field.h"
+#include "renderer/gl/format.h"
+
+#include <string>
+#include <vector>
+
+namespace lightsweep {
+
+/// Where one channel of an encoding is kept: a component, or a run of bits of an integer component.
+struct Slot {
+    int component = 0;  ///< 0 r, 1 g, 2 b, 3 a
+    int low_bit = 0;
+    int bit_count = 0;  ///< 0: the whole component of a fixed-point or float format
+};
+
+struct StoredField {
+    Field field;
+    Encoding encoding;
+    std::vector<Slot> slots;  ///< one for each channel of the encoding
+};
+
+struct LayoutTarget {
+    std::string name;
+    gl::Format format = gl::Format::RGBA8;
+    std::vector<StoredField> fields;
+};
+
+struct Layout {
+    std::string key;
+    std::string summary;
+    gl::Format depth = gl::Format::D32F;
+    DepthConvention convention = DepthConvention::reversed;
+    std::vector<LayoutTarget> targets;
+
+    bool stores(Field field) const;
+    /// Of all colour targets and the depth.
+    int bytes_per_pixel() const;
+};
+
+/// A shipped layout by its key, or a user's own by its path. Throws InputError with file, place and cure: an unknown
+/// field, encoding or format, a channel that does not fit, bits that overlap, a field stored twice.
+Layout load_layout(const std::string& key_or_path);
+std::vector<std::string> layout_keys();
+
+/// The layout without the fields that a scene does not need, and without the targets that nothing is left in.
+/// Throws InputError naming the field when the scene needs one that the layout does not store (position excepted: it
+/// is rebuilt from depth).
+Layout drop_unneeded(const Layout& layout, const SceneNeeds& needs);
+
+}  // namespace lightsweep

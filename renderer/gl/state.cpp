@@ -1,0 +1,79 @@
+#include "renderer/gl/state.h"
+
+#include <glad/gl.h>
+
+#include <optional>
+
+namespace lightsweep::gl {
+namespace {
+
+constexpr GLenum kCompare[] = {GL_NEVER,   GL_LESS,   GL_LEQUAL,   GL_EQUAL,
+                               GL_GREATER, GL_GEQUAL, GL_NOTEQUAL, GL_ALWAYS};
+constexpr GLenum kStencilOp[] = {GL_KEEP, GL_ZERO, GL_INCR_WRAP, GL_DECR_WRAP};
+
+std::optional<RasterState> current;
+
+void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+
+void set_cull(Cull cull) {
+    enable(GL_CULL_FACE, cull != Cull::none);
+    if (cull != Cull::none) glCullFace(cull == Cull::back ? GL_BACK : GL_FRONT);
+}
+
+void set_stencil(GLenum face, const StencilFace& s) {
+    glStencilFuncSeparate(face, kCompare[static_cast<int>(s.compare)], 0, 0xFF);
+    glStencilOpSeparate(face, GL_KEEP, kStencilOp[static_cast<int>(s.depth_fail)],
+                        kStencilOp[static_cast<int>(s.pass)]);
+}
+
+}  // namespace
+
+Compare reversed(Compare compare) {
+    switch (compare) {
+        case Compare::less: return Compare::greater;
+        case Compare::less_equal: return Compare::greater_equal;
+        case Compare::greater: return Compare::less;
+        case Compare::greater_equal: return Compare::less_equal;
+        default: return compare;
+    }
+}
+
+void forget_state() { current.reset(); }
+
+void apply(const RasterState& state) {
+    const bool all = !current;
+    const auto changed = [&](auto member) { return all || (*current).*member != state.*member; };
+    if (changed(&RasterState::depth_test)) enable(GL_DEPTH_TEST, state.depth_test);
+    if (changed(&RasterState::depth_write)) glDepthMask(state.depth_write ? GL_TRUE : GL_FALSE);
+    if (changed(&RasterState::depth_compare)) glDepthFunc(kCompare[static_cast<int>(state.depth_compare)]);
+    if (changed(&RasterState::depth_clamp)) enable(GL_DEPTH_CLAMP, state.depth_clamp);
+    if (changed(&RasterState::cull)) set_cull(state.cull);
+    if (changed(&RasterState::blend)) {
+        enable(GL_BLEND, state.blend == Blend::add);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    if (changed(&RasterState::color_write)) {
+        const GLboolean on = state.color_write ? GL_TRUE : GL_FALSE;
+        glColorMask(on, on, on, on);
+    }
+    if (changed(&RasterState::stencil_test)) enable(GL_STENCIL_TEST, state.stencil_test);
+    if (changed(&RasterState::stencil_front)) set_stencil(GL_FRONT, state.stencil_front);
+    if (changed(&RasterState::stencil_back)) set_stencil(GL_BACK, state.stencil_back);
+    current = state;
+}
+
+void apply_cull(Cull cull) {
+    if (current && current->cull == cull) return;
+    set_cull(cull);
+    if (current) current->cull = cull;
+}
+
+void set_context_defaults() {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDisable(GL_DITHER);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    forget_state();
+}
+
+}  // namespace lightsweep::gl

@@ -1,0 +1,50 @@
+// The fixed-function state of a draw, as data. `apply` sets all of it, skipping what is set already.
+#pragma once
+
+#include <cstdint>
+
+namespace lightsweep::gl {
+
+enum class Compare : uint8_t { never, less, less_equal, equal, greater, greater_equal, not_equal, always };
+enum class Cull : uint8_t { none, back, front };
+enum class Blend : uint8_t {
+    none,
+    add,  ///< destination + source, all channels
+};
+enum class StencilOp : uint8_t { keep, zero, increment_wrap, decrement_wrap };
+
+struct StencilFace {
+    Compare compare = Compare::always;  ///< of the stored value against 0
+    StencilOp depth_fail = StencilOp::keep;
+    StencilOp pass = StencilOp::keep;
+    bool operator==(const StencilFace&) const = default;
+};
+
+struct RasterState {
+    bool depth_test = false;
+    bool depth_write = false;
+    Compare depth_compare = Compare::less;
+    bool depth_clamp = false;  ///< geometry before near or past far is kept, its depth clamped
+    Cull cull = Cull::none;
+    Blend blend = Blend::none;
+    bool color_write = true;
+    bool stencil_test = false;
+    StencilFace stencil_front{};
+    StencilFace stencil_back{};
+    bool operator==(const RasterState&) const = default;
+};
+
+/// The same comparison for the opposite depth convention (less <-> greater).
+Compare reversed(Compare compare);
+
+/// Forgets what is set; call it when the current context changed.
+void forget_state();
+void apply(const RasterState& state);
+/// Changes only the culling of the state that is set.
+void apply_cull(Cull cull);
+
+/// Once per context: zero-to-one clip depth, lower-left origin (so that both depth conventions keep their precision),
+/// no dithering, clip control as every path expects.
+void set_context_defaults();
+
+}  // namespace lightsweep::gl

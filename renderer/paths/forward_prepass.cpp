@@ -1,0 +1,36 @@
+// Forward with a depth prepass: depth alone first, then only the visible surface is shaded, once.
+#include "renderer/pass/path.h"
+#include "renderer/pass/recorder.h"
+
+namespace lightsweep {
+namespace {
+
+Path build(const PathSetup& s) {
+    Path path;
+    path.depth = path.add({.name = "depth", .format = s.layout.depth});
+    path.hdr = path.add({.name = "hdr", .format = s.hdr});
+    path.passes = {
+        {.name = "prepass",
+         .shader = {"paths/mesh", "paths/depth", {"DEPTH_ONLY"}},
+         .writes = {{path.depth, Load::clear}},
+         .state = opaque_state(s.layout.convention),
+         .record = draw_visible_meshes},
+        {.name = "forward",
+         .shader = {"paths/mesh", "paths/forward"},
+         .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
+         .state = equal_state(),
+         .record = draw_visible_meshes,
+         .shades = Shades::all_lights},
+    };
+    return path;
+}
+
+}  // namespace
+
+extern const PathInfo path_forward_prepass;
+const PathInfo path_forward_prepass{.key = "forward_prepass",
+                                    .summary = "depth first, then every light for the visible fragments",
+                                    .uses_layout = false,
+                                    .build = build};
+
+}  // namespace lightsweep

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Checks reports: strict JSON, results/report.schema.json, and what a schema cannot say (sums, lengths, references).
+
+Usage: check_report.py REPORT...      prints each fault as `file:/pointer: what`; exit code 1 if there is any, 2 on bad usage.
+Debian: python3-jsonschema.
+"""
+
+import argparse
+import collections
+import json
+import pathlib
+import sys
+
+import jsonschema
+
+SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "results" / "report.schema.json"
+MAX_FAULTS_SHOWN = 20
+
+
+def strict_json(text):
+    """Python reads NaN and Infinity, and takes the last of two equal keys; JSON has neither."""
+
+    def refuse_constant(token):
+        raise ValueError(f"{token} is not JSON")
+
+    def refuse_duplicates(pairs):
+        keys = collections.Counter(key for key, _ in pairs)
+        twice = [key for key, count in keys.items() if count > 1]
+        if twice:
+            raise ValueError(f"the key '{twice[0]}' stands twice in one object")
+        return dict(pairs)
+
+    return json.loads(text, parse_constant=refuse_constant, object_pairs_hook=refuse_duplicates)
+
+
+def schema_faults(report, schema):
+    for error in jsonschema.Draft202012Validator(schema).iter_errors(report):
+        yield "/" + "/".join(str(part) for part in error.absolute_path), error.message[:300]
+
+
+def sample_faults(cell, where):
+    samples = cell["samples"]
+    count = len(samples["wall_ns"])
+    series = {key: samples[key] for key in ("round", "cpu_ns", "gpu_ns")}
+    series |= {f"passes/{name}": values for name, values in samples["passes"].items()}
+    for key, values in series.items():
+        if len(values) != count:
+            yield f"{where}/samples/{key}", f"{len(values)} samples, but wall_ns has {count}"
+            return
+    if count == 0:
+        if cell["status"] == "ok":
+            yield f"{where}/samples", "status is ok, but there is no sample"
+        return
+    if "unattributed" not in samples["passes"]:
+        yield f"{where}/samples/passes", "unattributed is missing"
+    for frame, gpu_ns in enumerate(samples["gpu_ns"]):
+        total = sum(values[frame] for values in samples["passes"].values())
+        if total != gpu_ns:
+            yield f"{where}/samples/gpu_ns/{frame}", f"is {gpu_ns}, but the passes sum to {total}"
+            return
+    for key in ("cpu_ns", "gpu_ns", "wall_ns"):
+        statistics = (cell["statistics"] or {}).get(key)
+        if statistics and (statistics["count"], statistics["min"], statistics["max"]) != (
+            count, min(samples[key]), max(samples[key])):
+            yield f"{where}/statistics/{key}", "count, min or max is not that of the samples"
+
+
+def invariant_faults(report):
+    cells = report["cells"]
+    ids = collections.Counter(cell["id"] for cell in cells)
+    for cell_id, count in ids.items():
+        if count > 1:
+            yield "/cells", f"the id {cell_id} stands {count} times"
+    for index, cell in enumerate(cells):
+        yield from sample_faults(cell, f"/cells/{index}")
+
+    group_of = {cell["id"]: cell["group"] for cell in cells}
+    for index, pair in enumerate(report["pairs"]):
+        if {group_of.get(pair["a"]), group_of.get(pair["b"])} != {pair["group"]}:
+            yield f"/pairs/{index}", "a or b is not a cell of the group"
+        if None not in (pair["low"], pair["ratio"], pair["high"]) and not pair["low"] <= pair["ratio"] <= pair["high"]:
+            yield f"/pairs/{index}", "the ratio is not within its interval"
+    for index, pareto in enumerate(report["pareto"]):
+        members = pareto["front"] + pareto["dominated"]
+        if len(set(members)) != len(members) or any(group_of.get(member) != pareto["group"] for member in members):
+            yield f"/pareto/{index}", "a cell stands twice, or is not of the group"
+
+    summary = report["summary"]
+    counts = collections.Counter(cell["status"] for cell in cells)
+    if {status: count for status, count in summary["counts"].items() if count} != dict(counts):
+        yield "/summary/counts", f"are not those of the cells: {dict(counts)}"
+    if len(cells) > summary["planned"]:
+        yield "/summary/planned", f"is {summary['planned']}, but there are {len(cells)} cells"
+    if summary["complete"] != (len(cells) == summary["planned"]):
+        yield "/summary/complete", "does not agree with the number of cells"
+    if summary["complete"] != (report["run"]["stopped_because"] == "complete"):
+        yield "/run/stopped_because", "does not agree with summary.complete"
+
+
+def faults(path, schema):
+    try:
+        report = strict_json(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        return [("/", str(error))]
+    # The invariants take the shape for granted.
+    return list(schema_faults(report, schema)) or list(invariant_faults(report))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("reports", nargs="+", type=pathlib.Path, metavar="REPORT")
+    arguments = parser.parse_args()
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    failed = False
+    for path in arguments.reports:
+        found = faults(path, schema)
+        for where, what in found[:MAX_FAULTS_SHOWN]:
+            print(f"{path}:{where}: {what}")
+        if len(found) > MAX_FAULTS_SHOWN:
+            print(f"{path}: and {len(found) - MAX_FAULTS_SHOWN} more faults")
+        if not found:
+            print(f"{path}: valid")
+        failed |= bool(found)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

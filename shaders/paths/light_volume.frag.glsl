@@ -1,0 +1,11 @@
+// Adds one light to the marked pixels.
+#include "lib/gbuffer_pixel.glsl"
+#include "lib/shade.glsl"
+
+layout(location = kLightIndexUniform) uniform uint light_index;
+layout(location = 0) out vec4 color;
+
+void main() {
+    Surface s = read_surface(gl_FragCoord.xy, pixel_depth());
+    color = vec4(shade_local(s, view_direction(s), lights[light_index]), 0.0);
+}

@@ -1,0 +1,2 @@
+// Marks in the stencil: no colour.
+void main() {}

@@ -1,0 +1,15 @@
+// deferred_volumes: what no light volume adds (emission, ambient, directional lights, background).
+#include "lib/gbuffer_pixel.glsl"
+#include "lib/shade.glsl"
+
+layout(location = 0) out vec4 color;
+
+void main() {
+    float depth = pixel_depth();
+    if (is_background(depth)) {
+        color = vec4(frame.background, 1.0);
+        return;
+    }
+    Surface s = read_surface(gl_FragCoord.xy, depth);
+    color = vec4(shade_base(s, view_direction(s)), 1.0);
+}

@@ -1,0 +1,93 @@
+#include "bench/plan/cell.h"
+
+#include "test_catalog.h"
+
+#include <gmock/gmock.h>
+
+namespace lightsweep {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const CellParams kDeferred{.scene = "atrium",
+                           .lights = 64,
+                           .width = 640,
+                           .height = 360,
+                           .overlap = std::nullopt,
+                           .path = "deferred",
+                           .layout = "oct16",
+                           .hdr = "rgba16f"};
+
+TEST(Cell, name_is_one_line_of_the_fields_in_order) {
+    EXPECT_EQ(kDeferred.name(), "scene=atrium lights=64 size=640x360 path=deferred layout=oct16 hdr=rgba16f");
+}
+
+TEST(Cell, name_leaves_out_the_layout_of_a_path_without_one_and_the_scenes_own_overlap) {
+    CellParams cell = kDeferred;
+    cell.layout.clear();
+    cell.path = "forward";
+    EXPECT_EQ(cell.name(), "scene=atrium lights=64 size=640x360 path=forward hdr=rgba16f");
+    cell.overlap = 0.0;
+    EXPECT_EQ(cell.name(), "scene=atrium lights=64 size=640x360 overlap=fixed path=forward hdr=rgba16f");
+    cell.overlap = 2.5;
+    cell.lights.reset();
+    EXPECT_EQ(cell.name(), "scene=atrium lights=default size=640x360 overlap=2.5 path=forward hdr=rgba16f");
+}
+
+TEST(Cell, parsing_a_name_gives_the_cell_back) {
+    for (const std::optional<int> lights :
+         {std::optional<int>{}, std::optional<int>{0}, std::optional<int>{kMaxLights}}) {
+        for (const std::optional<double> overlap : {std::optional<double>{}, std::optional<double>{0.0},
+                                                    std::optional<double>{0.1}, std::optional<double>{8.0}}) {
+            for (const std::string scene : {"atrium", "my models/a yard.json", "../x/lights.gltf"}) {
+                for (const std::string layout : {"", "oct16", "my layouts/a b.json"}) {
+                    const CellParams cell{.scene = scene,
+                                          .lights = lights,
+                                          .width = 1,
+                                          .height = kMaxExtentPx,
+                                          .overlap = overlap,
+                                          .path = "deferred",
+                                          .layout = layout,
+                                          .hdr = "r11g11b10f"};
+                    EXPECT_EQ(parse_cell(cell.name()), cell) << cell.name();
+                }
+            }
+        }
+    }
+}
+
+TEST(Cell, id_is_the_hash_of_the_name_and_differs_with_every_field) {
+    EXPECT_EQ(kDeferred.id().size(), 16U);
+    EXPECT_EQ(kDeferred.id(), CellParams(kDeferred).id());
+    for (const std::string changed : {"scene=cornell", "lights=65", "size=640x361", "overlap=fixed", "path=forward",
+                                      "layout=oct32", "hdr=rgba32f"}) {
+        CellParams cell = kDeferred;
+        const size_t equals = changed.find('=');
+        set_cell_field(cell, find_cell_field(changed.substr(0, equals)), changed.substr(equals + 1));
+        EXPECT_NE(cell.id(), kDeferred.id()) << changed;
+    }
+}
+
+TEST(Cell, group_is_what_compared_cells_share) {
+    CellParams other = kDeferred;
+    other.path = "forward";
+    other.layout.clear();
+    other.hdr = "rgba32f";
+    EXPECT_EQ(other.group(), kDeferred.group());
+    EXPECT_EQ(other.group(), "scene=atrium lights=64 size=640x360");
+    other.overlap = 4.0;
+    EXPECT_EQ(other.group(), "scene=atrium lights=64 size=640x360 overlap=4");
+}
+
+TEST(Cell, text_that_is_no_cell_is_refused_with_what_is_wrong) {
+    EXPECT_THAT(input_error([] { parse_cell("atrium"); }), HasSubstr("'atrium' is not key=value"));
+    EXPECT_THAT(input_error([] { parse_cell("scene=a=b path=forward"); }), HasSubstr("two '='"));
+    EXPECT_THAT(input_error([] { parse_cell("scene=atrium lights=4"); }), HasSubstr("missing"));
+    EXPECT_THAT(input_error([] { parse_cell(""); }), HasSubstr("missing"));
+    EXPECT_THAT(input_error([] { parse_cell("scene=atrium light=4 path=forward"); }),
+                AllOf(HasSubstr("unknown axis 'light'"), HasSubstr("did you mean 'lights'")));
+}
+
+}  // namespace
+}  // namespace lightsweep

@@ -1,0 +1,237 @@
+#include "bench/report/assemble.h"
+
+#include "synthetic.h"
+
+#include "bench/report/pairs.h"
+#include "renderer/base/file.h"
+#include "renderer/base/resources.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+namespace lightsweep {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::Ge;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Le;
+using ::testing::SizeIs;
+namespace fs = std::filesystem;
+
+// forward costs 1 ms and 30 us per light; deferred 2 ms and 10 us per light: they meet at 50 lights.
+double crossing_at_50(const CellParams& cell) {
+    return cell.path == "forward" ? 1.0e6 + 3.0e4 * *cell.lights : 2.0e6 + 1.0e4 * *cell.lights;
+}
+
+double thirty_percent(const CellParams& cell) { return cell.path == "deferred" ? 1.3e6 : 1.0e6; }
+
+TEST(Assemble, a_planted_ratio_is_found_and_equal_arms_are_not_told_apart) {
+    const auto journal = synthetic_journal({{"forward", ""}, {"forward_prepass", ""}, {"deferred", "oct16"}}, {4},
+                                           thirty_percent, 200, 0.02);
+    const Json report = assemble_report(journal);
+    ASSERT_THAT(report.at("pairs"), SizeIs(2));
+    const Json& equal = report.at("pairs")[0];
+    const Json& slower = report.at("pairs")[1];
+    EXPECT_EQ(slower.at("a"), journal.groups[0].cells[2].id);
+    EXPECT_EQ(slower.at("b"), journal.groups[0].cells[0].id);
+    EXPECT_EQ(slower.at("verdict"), "slower");
+    EXPECT_EQ(slower.at("pairs"), 200);
+    // The standard error of a median of 200 log-ratios with sigma 0.02 * sqrt(2) is 1.25 * 0.028 / sqrt(200) = 0.0025.
+    EXPECT_NEAR(slower.at("ratio").get<double>(), 1.3, 1.3 * 4 * 0.0025);
+    EXPECT_THAT(slower.at("low").get<double>(), AllOf(Ge(1.25), Le(slower.at("ratio").get<double>())));
+    EXPECT_THAT(slower.at("high").get<double>(), AllOf(Le(1.35), Ge(slower.at("ratio").get<double>())));
+    EXPECT_THAT(equal.at("verdict"), ::testing::AnyOf("same", "ambiguous"));
+    EXPECT_NEAR(equal.at("ratio").get<double>(), 1.0, 4 * 0.0025);
+}
+
+TEST(Assemble, the_noise_floor_is_how_far_the_twins_interval_reaches) {
+    const auto journal = synthetic_journal({{"forward", ""}}, {1, 4}, thirty_percent, 100, 0.02);
+    const Json noise = assemble_report(journal).at("noise");
+    ASSERT_THAT(noise.at("groups"), SizeIs(2));
+    double expected = 0.0;
+    for (const Json& group : noise.at("groups")) {
+        EXPECT_NEAR(group.at("ratio").get<double>(), 1.0, 0.02);
+        EXPECT_EQ(group.at("pairs"), 100);
+        expected =
+            std::max({expected, group.at("high").get<double>() - 1.0, 1.0 / group.at("low").get<double>() - 1.0});
+    }
+    EXPECT_DOUBLE_EQ(noise.at("floor").get<double>(), expected);
+}
+
+TEST(Assemble, a_difference_within_the_noise_gets_no_verdict) {
+    auto journal = synthetic_journal(
+        {{"forward", ""}, {"deferred", "oct16"}}, {4},
+        [](const CellParams& c) { return c.path == "deferred" ? 1.03e6 : 1e6; }, 200, 0.02);
+    EXPECT_EQ(assemble_report(journal).at("pairs")[0].at("verdict"), "slower");
+    for (auto& ns : journal.groups[0].noise->wall_ns) ns = ns * 108 / 100;  // the twin of the same arm is 8 % off
+    EXPECT_EQ(assemble_report(journal).at("pairs")[0].at("verdict"), "same");
+    journal.groups[0].noise.reset();
+    const Json report = assemble_report(journal);
+    EXPECT_EQ(report.at("pairs")[0].at("verdict"), "ambiguous");
+    EXPECT_TRUE(report.at("pairs")[0].at("floor").is_null());
+    EXPECT_TRUE(report.at("noise").at("floor").is_null());
+}
+
+TEST(Assemble, arms_are_compared_with_the_first_and_with_their_forward_twin_once) {
+    auto names = [](const std::vector<std::pair<std::string, std::string>>& arms) {
+        const auto journal = synthetic_journal(arms, {4}, thirty_percent, 20);
+        std::vector<std::string> result;
+        for (const auto& pair : compare_arms(journal.groups[0], 0.01)) {
+            result.push_back(pair.a->params.path + pair.a->params.layout + "/" + pair.b->params.path +
+                             pair.b->params.layout);
+        }
+        return result;
+    };
+    EXPECT_THAT(names({{"forward", ""}, {"deferred", "oct16"}}), ElementsAre("deferredoct16/forward"));
+    EXPECT_THAT(names({{"forward_prepass", ""}, {"forward", ""}, {"deferred", "oct16"}}),
+                ElementsAre("forward/forward_prepass", "deferredoct16/forward_prepass", "deferredoct16/forward"));
+    EXPECT_THAT(names({{"deferred", "oct16"}, {"forward", ""}, {"deferred", "oct32"}}),
+                ElementsAre("forward/deferredoct16", "deferredoct32/deferredoct16", "deferredoct32/forward"));
+    EXPECT_THAT(names({{"forward", ""}}), IsEmpty());
+}
+
+TEST(Assemble, frames_are_paired_by_round) {
+    // Rounds 2 and 5 are common; there a / b is 200/100 and 400/100: the median of the log-ratios is log(2 * sqrt 2).
+    const auto ratio = ratio_by_round({0, 2, 5}, {7, 200, 400}, {2, 3, 5, 6}, {100, 9, 100, 9}, 0.95);
+    ASSERT_TRUE(ratio.has_value());
+    EXPECT_EQ(ratio->pairs, 2U);
+    EXPECT_NEAR(ratio->ratio.estimate, 2.0 * std::sqrt(2.0), 1e-12);
+    EXPECT_FALSE(ratio_by_round({0, 1}, {5, 5}, {2, 3}, {5, 5}, 0.95).has_value());
+}
+
+TEST(Assemble, the_crossover_is_found_where_it_was_planted) {
+    const auto journal =
+        synthetic_journal({{"forward", ""}, {"deferred", "oct16"}}, {256, 1, 4, 16, 64}, crossing_at_50, 100, 0.02);
+    const Json crossovers = assemble_report(journal).at("crossovers");
+    ASSERT_THAT(crossovers, SizeIs(1));
+    const Json& crossover = crossovers[0];
+    EXPECT_EQ(crossover.at("a"), (Json{{"path", "deferred"}, {"layout", "oct16"}, {"hdr", "rgba16f"}}));
+    EXPECT_EQ(crossover.at("b"), (Json{{"path", "forward"}, {"layout", nullptr}, {"hdr", "rgba16f"}}));
+    // Interpolating between 16 and 64 lights is not the true curve: allow what a straight line there leaves.
+    EXPECT_NEAR(crossover.at("lights").get<double>(), 50.0, 5.0);
+    EXPECT_LT(crossover.at("low").get<double>(), crossover.at("lights").get<double>());
+    EXPECT_GT(crossover.at("high").get<double>(), crossover.at("lights").get<double>());
+    EXPECT_TRUE(crossover.at("reason").is_null());
+}
+
+TEST(Assemble, without_a_crossover_there_is_a_reason) {
+    const auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}}, {1, 4}, thirty_percent);
+    const Json crossovers = assemble_report(journal).at("crossovers");
+    ASSERT_THAT(crossovers, SizeIs(1));
+    EXPECT_TRUE(crossovers[0].at("lights").is_null());
+    EXPECT_THAT(crossovers[0].at("reason").get<std::string>(), HasSubstr("forward is faster"));
+    EXPECT_THAT(assemble_report(synthetic_journal({{"forward", ""}, {"deferred", "oct16"}}, {4}, thirty_percent))
+                    .at("crossovers"),
+                IsEmpty());
+}
+
+TEST(Assemble, statistics_are_those_of_the_samples) {
+    auto journal = synthetic_journal({{"forward", ""}}, {1}, thirty_percent, 8);
+    Samples& samples = journal.groups[0].cells[0].samples;
+    samples.wall_ns = {30, 10, 20, 40, 30, 10, 20, 40};  // sorted 10 10 20 20 30 30 40 40
+    const Json wall = assemble_report(journal).at("cells")[0].at("statistics").at("wall_ns");
+    EXPECT_EQ(wall.at("median"), 25.0);
+    EXPECT_EQ(wall.at("mean"), 25.0);
+    EXPECT_EQ(wall.at("min"), 10);
+    EXPECT_EQ(wall.at("max"), 40);
+    EXPECT_EQ(wall.at("count"), 8);
+    EXPECT_NEAR(wall.at("stddev").get<double>(), std::sqrt(1000.0 / 7.0), 1e-12);  // 4 * (15^2 + 5^2) = 1000
+}
+
+TEST(Assemble, time_against_error_leaves_out_what_is_beaten_in_both) {
+    // oct16 has an error and is slower than forward; oct32 is as right as forward and faster.
+    const auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}, {"deferred", "oct32"}}, {4},
+                                           [](const CellParams& c) {
+                                               return c.layout == "oct16" ? 3e6 : c.layout == "oct32" ? 1e6 : 2e6;
+                                           });
+    const auto& cells = journal.groups[0].cells;
+    const Json pareto = assemble_report(journal).at("pareto");
+    ASSERT_THAT(pareto, SizeIs(1));
+    EXPECT_EQ(pareto[0].at("front"), Json({cells[2].id}));
+    EXPECT_EQ(pareto[0].at("dominated"), Json({cells[0].id, cells[1].id}));
+}
+
+TEST(Assemble, the_summary_counts_and_says_whether_all_is_there) {
+    auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}}, {1, 4}, thirty_percent, 10);
+    Json report = assemble_report(journal);
+    EXPECT_EQ(report.at("summary").at("complete"), true);
+    EXPECT_EQ(report.at("run").at("stopped_because"), "complete");
+    EXPECT_EQ(report.at("run").at("wall_s"), 4.0);
+    EXPECT_EQ(report.at("run").at("frames_share"), 0.875);
+
+    CellResult& failed = journal.groups[0].cells[1];
+    failed.status = CellStatus::error;
+    failed.reason = "out of memory";
+    failed.samples = {};
+    journal.groups.pop_back();
+    report = assemble_report(journal);
+    EXPECT_EQ(report.at("summary").at("counts").at("ok"), 1);
+    EXPECT_EQ(report.at("summary").at("counts").at("error"), 1);
+    EXPECT_EQ(report.at("summary").at("planned"), 4);
+    EXPECT_EQ(report.at("summary").at("complete"), false);
+    EXPECT_EQ(report.at("run").at("stopped_because"), "interrupted");
+    EXPECT_TRUE(report.at("cells")[1].at("statistics").is_null());
+    EXPECT_THAT(report.at("pairs"), IsEmpty());
+}
+
+class CheckedReport : public ::testing::Test {
+  protected:
+    void TearDown() override { fs::remove(file_); }
+    // 0 when scripts/check_report.py finds no fault.
+    int check(const std::string& text) {
+        write_file_atomically(file_, text);
+        const std::string script = resource("scripts/check_report.py").string();
+        return std::system(("/usr/bin/python3 '" + script + "' '" + file_.string() + "' > /dev/null").c_str());
+    }
+
+    fs::path file_ = fs::path(::testing::TempDir()) / "lightsweep_checked_report.json";
+    JournalContent journal_ = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}, {"deferred", "oct32"}},
+                                                {1, 4, 16}, crossing_at_50, 12);
+};
+
+TEST_F(CheckedReport, passes_the_schema_complete_failed_and_empty) {
+    EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
+    CellResult& failed = journal_.groups[0].cells[1];
+    failed.status = CellStatus::crashed;
+    failed.reason = "signal 11";
+    failed.samples = {};
+    failed.work.reset();
+    failed.error.reset();
+    failed.first_frame_ns.reset();
+    failed.stop_reason.reset();
+    EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
+    for (auto& cell : journal_.groups[1].cells) {  // one frame: no interval, no spread
+        Samples& samples = cell.samples;
+        for (auto* series : {&samples.round, &samples.cpu_ns, &samples.gpu_ns, &samples.wall_ns}) series->resize(1);
+        for (auto& [name, series] : samples.passes) series.resize(1);
+    }
+    EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
+    journal_.groups.clear();
+    EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
+}
+
+TEST_F(CheckedReport, faults_are_found) {
+    const Json report = assemble_report(journal_);
+    const auto is_refused = [&](auto change) {
+        Json changed = report;
+        change(changed);
+        return check(report_text(changed)) != 0;
+    };
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["samples"]["passes"]["shade"][0] = 1; })) << "sum of passes";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["samples"]["round"].erase(0); })) << "length";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][1]["id"] = r["cells"][0]["id"]; })) << "id twice";
+    EXPECT_TRUE(is_refused([](Json& r) { r["summary"]["counts"]["ok"] = 1; })) << "counts";
+    EXPECT_TRUE(is_refused([](Json& r) { r["summary"]["complete"] = false; })) << "complete";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["status"] = "fine"; })) << "status";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["samples"]["wall_ns"][0] = 0.5; })) << "type";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0].erase("work"); })) << "missing key";
+    EXPECT_FALSE(is_refused([](Json& r) { r["cells"][0]["colour"] = "blue"; })) << "unknown keys are allowed";
+    EXPECT_NE(check("{\"schema\": NaN}"), 0);
+}
+
+}  // namespace
+}  // namespace lightsweep

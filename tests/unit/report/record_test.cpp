@@ -1,0 +1,115 @@
+#include "bench/report/record.h"
+
+#include "input_error.h"
+#include "synthetic.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace lightsweep {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+GroupResult one_group() {
+    auto journal = synthetic_journal(
+        {{"forward", ""}, {"deferred", "oct16"}}, {4}, [](const CellParams&) { return 1e6; }, 5);
+    return journal.groups.front();
+}
+
+TEST(Record, json_read_back_gives_the_same_json) {
+    GroupResult group = one_group();
+    group.cells[1].status = CellStatus::timeout;
+    group.cells[1].reason = "slow \"line\"\n";
+    group.cells[1].work.reset();
+    group.cells[1].error.reset();
+    const Json json = to_json(group);
+    EXPECT_EQ(to_json(from_json<GroupResult>(Json::parse(line_text(json)), "x")), json);
+    for (const Json& other :
+         {to_json(synthetic_run(3)), to_json(synthetic_environment()), to_json(synthetic_timer())}) {
+        EXPECT_FALSE(other.empty());
+    }
+    EXPECT_EQ(to_json(from_json<RunInfo>(to_json(synthetic_run(3)), "x")), to_json(synthetic_run(3)));
+    EXPECT_EQ(to_json(from_json<Environment>(to_json(synthetic_environment()), "x")), to_json(synthetic_environment()));
+    EXPECT_EQ(to_json(from_json<TimerReport>(to_json(synthetic_timer()), "x")), to_json(synthetic_timer()));
+}
+
+TEST(Record, values_survive_the_round_trip) {
+    const GroupResult group = one_group();
+    const auto back = from_json<GroupResult>(Json::parse(line_text(to_json(group))), "x");
+    EXPECT_EQ(back.cells[1].params, group.cells[1].params);
+    EXPECT_EQ(back.cells[1].samples.wall_ns, group.cells[1].samples.wall_ns);
+    EXPECT_EQ(back.cells[1].samples.passes, group.cells[1].samples.passes);  // names, values and their order
+    EXPECT_EQ(back.cells[1].error->display.value("rmse"), group.cells[1].error->display.value("rmse"));
+    EXPECT_EQ(back.cells[0].work->skipped, group.cells[0].work->skipped);
+    EXPECT_EQ(back.noise->wall_ns, group.noise->wall_ns);
+    EXPECT_EQ(back.wall_s, 2.0);
+}
+
+TEST(Record, what_is_not_finite_becomes_null) {
+    RunInfo run = synthetic_run(1);
+    for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        run.target_ci = value;
+        EXPECT_TRUE(to_json(run).at("target_ci").is_null());
+        EXPECT_THAT(line_text(to_json(run)), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
+    }
+}
+
+TEST(Record, fixed_radius_and_a_path_without_layout_are_null) {
+    CellResult cell = one_group().cells[0];
+    EXPECT_TRUE(to_json(cell).at("params").at("overlap").is_null());
+    EXPECT_TRUE(to_json(cell).at("params").at("layout").is_null());
+    cell.params.overlap = 2.5;
+    EXPECT_EQ(to_json(cell).at("params").at("overlap"), 2.5);
+}
+
+TEST(Record, unknown_keys_are_ignored_and_missing_or_wrong_ones_refused_with_their_place) {
+    Json json = to_json(one_group());
+    json["cells"][0]["colour"] = "blue";
+    EXPECT_NO_THROW(from_json<GroupResult>(json, "f"));
+    Json wrong = json;
+    wrong["cells"][1]["samples"]["wall_ns"][2] = "fast";
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(wrong, "f:"); }),
+                AllOf(StartsWith("f:/cells/1/samples/wall_ns/2: "), HasSubstr("whole number"), HasSubstr("string")));
+    Json missing = json;
+    missing["cells"][0]["params"].erase("width_px");
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(missing, "f:"); }),
+                AllOf(StartsWith("f:/cells/0/params: "), HasSubstr("'width_px' is missing")));
+    Json status = json;
+    status["cells"][0]["status"] = "okay";
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(status, "f:"); }), HasSubstr("did you mean 'ok'"));
+    Json large = json;
+    large["cells"][0]["params"]["width_px"] = int64_t{1} << 40;
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(large, "f:"); }), HasSubstr("out of range"));
+}
+
+TEST(Record, fingerprint_changes_with_what_changes_times) {
+    const Environment environment = synthetic_environment();
+    Environment other = environment;
+    other.memory_bytes += 4096;
+    EXPECT_EQ(environment_fingerprint(other), environment.fingerprint);
+    EXPECT_EQ(environment_difference(environment, other), "");
+    other.driver_variables["LP_NUM_THREADS"] = "1";
+    other.cores = 4;
+    EXPECT_NE(environment_fingerprint(other), environment.fingerprint);
+    EXPECT_EQ(environment_difference(environment, other),
+              R"(cores: 2 / 4, driver_variables: {"LP_NUM_THREADS":"2"} / {"LP_NUM_THREADS":"1"})");
+}
+
+TEST(Record, report_text_is_the_same_json_with_plain_lists_on_one_line) {
+    const Json json = to_json(one_group());
+    const std::string text = report_text(json);
+    EXPECT_EQ(Json::parse(text), json);
+    EXPECT_THAT(text, HasSubstr("\"round\": [0,1,2,3,4]"));
+    EXPECT_EQ(text.back(), '\n');
+    EXPECT_EQ(report_text({{"a", Json::array()}, {"b", {{"c", {1, 2}}}}}),
+              "{\n \"a\": [],\n \"b\": {\n  \"c\": [1,2]\n }\n}\n");
+    EXPECT_EQ(report_text("\xff"), "\"\uFFFD\"\n");
+}
+
+}  // namespace
+}  // namespace lightsweep
