@@ -102,12 +102,15 @@ void KnownWork::calibrate(int64_t unit_ns) {
         unsigned& iterations = calibrated_[kind].iterations;
         iterations = static_cast<unsigned>(work_kinds()[kind].passes);
         clock_ns(kind, 1);  // compiles
-        int64_t taken = clock_ns(kind, 1);
-        while (taken < unit_ns && iterations < kMaxIterations) {
-            // At most four times as much at once: the first steps are mostly fixed cost.
-            const double factor = std::clamp(static_cast<double>(unit_ns) / static_cast<double>(std::max<int64_t>(taken, 1)), 1.3, 4.0);
+        const auto fastest_ns = [&] { return std::min({clock_ns(kind, 1), clock_ns(kind, 1), clock_ns(kind, 1)}); };
+        // What a unit adds to the fixed cost of touching the target: else a large target's time hardly grows with it.
+        const int64_t fixed = fastest_ns();
+        int64_t added = 1;
+        while (added < unit_ns && iterations < kMaxIterations) {
+            // At most four times as much at once: the first steps are mostly noise.
+            const double factor = std::clamp(static_cast<double>(unit_ns) / static_cast<double>(added), 1.3, 4.0);
             iterations = static_cast<unsigned>(iterations * factor) + 1;
-            taken = std::min(clock_ns(kind, 1), clock_ns(kind, 1));
+            added = std::max<int64_t>(1, fastest_ns() - fixed);
         }
     }
 }

@@ -1,10 +1,12 @@
 // Proves which timer tells the truth on this device, at start-up, before anything is measured with it.
 //
 // The method: known work of several kinds (known_work.h), 1, 2 and 4 units of it, is timed by every method and by the
-// yardstick, the steady clock with glFinish before and after. Yardstick and methods take turns, so that a busy moment of the
-// machine hits both; the ratio is the median over the repetitions. A method is accepted when for every kind of work its
-// ratio to the yardstick is within [kLowestRatio, kHighestRatio] at every amount, and its times are linear in the amount.
-// The first accepted one in the order given (cheapest first) is used. No driver is believed or refused by its name.
+// yardstick, the steady clock with glFinish before and after. Yardstick and methods take turns, and the fastest of the
+// repetitions counts, which is what the work takes when nothing disturbs it. A method is accepted when for every kind of
+// work the sum of its times over the amounts is within [kLowestRatio, kHighestRatio] of the yardstick's, its times are
+// linear in the amount, and no single time was impossible (negative, or longer than the clock saw). The first accepted
+// one in the order given (cheapest first) is used. No driver is believed or refused by its name. When a busy machine
+// spoils the trials so that nothing is accepted, repetitions are added: noise passes, a lie stays.
 #pragma once
 
 #include "bench/measure/frame_timer.h"
@@ -37,6 +39,7 @@ struct TimerTrial {
     std::vector<int64_t> amounts;
     std::vector<std::vector<int64_t>> yardstick_ns;  ///< [amount][repetition]
     std::vector<std::vector<int64_t>> measured_ns;   ///< [amount][repetition]
+    std::vector<std::vector<int64_t>> wall_ns;       ///< the clock around each of `measured_ns`: it cannot be longer
 };
 
 /// The verdict on one method, from its trials alone. Pure.

@@ -1,5 +1,7 @@
 #include "bench/report/gbench_export.h"
 
+#include "bench/stats/quantile.h"
+
 namespace lightsweep {
 namespace {
 
@@ -26,16 +28,37 @@ Json entry(const CellResult& cell, size_t family, size_t repetitions, size_t rep
             {"threads", 1}};
 }
 
+double median_ns(const std::vector<int64_t>& samples_ns) {
+    return median(std::vector<double>(samples_ns.begin(), samples_ns.end()));
+}
+
+Json medians(const CellResult& cell, size_t family) {
+    return {{"name", cell.name + "_median"},
+            {"family_index", family},
+            {"per_family_instance_index", 0},
+            {"run_name", cell.name},
+            {"run_type", "aggregate"},
+            {"repetitions", cell.samples.count()},
+            {"threads", 1},
+            {"aggregate_name", "median"},
+            {"aggregate_unit", "time"},
+            {"iterations", cell.samples.count()},
+            {"real_time", median_ns(cell.samples.wall_ns)},
+            {"cpu_time", median_ns(cell.samples.cpu_ns)},
+            {"time_unit", "ns"},
+            {"gpu_ns", median_ns(cell.samples.gpu_ns)}};
+}
+
 }  // namespace
 
 Json to_google_benchmark(const Report& report) {
     Json benchmarks = Json::array();
     for (size_t family = 0; family < report.cells.size(); ++family) {
         const CellResult& cell = report.cells[family];
-        if (cell.status != CellStatus::ok) {
+        if (!cell.measured()) {
             Json failed = entry(cell, family, 1, 0);
             failed.update({{"error_occurred", true},
-                           {"error_message", cell.reason.value_or("")},
+                           {"error_message", cell.reason.value_or("no samples")},
                            {"iterations", 1},
                            {"real_time", 0},
                            {"cpu_time", 0},
@@ -52,6 +75,7 @@ Json to_google_benchmark(const Report& report) {
                           {"gpu_ns", cell.samples.gpu_ns[i]}});
             benchmarks.push_back(std::move(frame));
         }
+        benchmarks.push_back(medians(cell, family));
     }
     return {{"context", context(report)}, {"benchmarks", std::move(benchmarks)}};
 }

@@ -7,7 +7,8 @@
 namespace lightsweep {
 
 /// One entry per frame ("iteration"), named after the cell: real_time is wall_ns, cpu_time is cpu_ns (building the
-/// frame), the counter gpu_ns beside them. A cell that is not ok is one entry with error_occurred and its reason.
+/// frame), the counter gpu_ns beside them; then their medians ("aggregate", `<cell>_median`). A cell that is not ok, or
+/// has no samples, is one entry with error_occurred and its reason.
 Json to_google_benchmark(const Report& report);
 
 }  // namespace lightsweep

@@ -70,30 +70,43 @@ std::string hash_content(const Scene& scene) {
     return digest.hex();
 }
 
-// A model alone: a camera in front of it and a little above, whose field of view holds the sphere around it, and
-// lights all around it. With 8 lights reaching a point, a mid-grey surface comes out at about a third of white.
+// The nearest camera along `direction` (unit, from the model) whose square field of view holds all of `bounds`.
+Camera camera_around(const Bounds& bounds, const glm::dvec3& direction) {
+    Camera camera{.target = bounds.center(), .fov_y_deg = 45.0};
+    const glm::dvec3 right = glm::normalize(glm::cross(camera.up, direction));
+    const glm::dvec3 up = glm::cross(direction, right);
+    const glm::dvec3 half = 0.5 * bounds.size();
+    double distance = 0.0;
+    double toward = 0.0;  // of the corner nearest to the camera; the farthest is its opposite
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p = half * glm::dvec3((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                                               (corner & 4) != 0 ? 1.0 : -1.0);
+        const double across = std::max(std::abs(glm::dot(p, right)), std::abs(glm::dot(p, up)));
+        toward = std::max(toward, glm::dot(p, direction));
+        distance = std::max(distance, across / std::tan(glm::radians(0.5 * camera.fov_y_deg)) + glm::dot(p, direction));
+    }
+    distance = 1.05 * distance + 1e-6;  // a margin, also for a model that is a point
+    camera.eye = camera.target + distance * direction;
+    camera.near_distance = 0.9 * (distance - toward);
+    camera.far_distance = 1.1 * (distance + toward);
+    return camera;
+}
+
+// A model alone: a camera in front of it and a little above, and lights all around it.
 Scene scene_of_gltf(const std::filesystem::path& file) {
     Scene scene;
     scene.summary = "the model " + file.filename().string();
     const GltfModel model = append_gltf(file, scene);
     scene.instances = model.parts;
+    scene.camera = camera_around(model.bounds, glm::normalize(glm::dvec3(0.45, 0.3, 1.0)));
 
-    const glm::dvec3 center = model.bounds.center();
     const double radius = std::max(0.5 * glm::length(model.bounds.size()), 1e-6);
-    auto& camera = scene.camera;
-    camera.fov_y_deg = 45.0;
-    const double distance = 1.02 * radius / std::sin(glm::radians(0.5 * camera.fov_y_deg));
-    camera.target = center;
-    camera.eye = center + distance * glm::normalize(glm::dvec3(0.45, 0.3, 1.0));
-    camera.near_distance = 0.9 * (distance - radius);
-    camera.far_distance = 1.1 * (distance + radius);
-
     LightGenerator generator{.placement = Placement::random, .bounds = model.bounds, .radius = radius};
     generator.bounds.low -= 0.25 * radius;
     generator.bounds.high += 0.25 * radius;
-    generator.intensity = 0.5 * radius * radius;
+    generator.intensity = 1.25 * radius * radius;  // 8 lights that reach a mid-grey surface light it well
     scene.lights = {.fixed = {}, .generator = generator, .default_count = 16, .default_overlap = 8.0};
-    scene.ambient = glm::dvec3(0.08);
+    scene.ambient = glm::dvec3(0.1);
     scene.background = glm::dvec3(0.02);
     return scene;
 }

@@ -112,25 +112,25 @@ enum class Placement { grid, random, surface };
 /// A rule that makes the i-th light of an endless sequence. The first n lights are the same whatever n is.
 struct LightGenerator {
     Placement placement = Placement::random;
-    Bounds bounds;                                     ///< grid and random: where; surface: unused
-    double height_min = 0.1, height_max = 0.5;         ///< surface: distance from the surface along its normal
+    Bounds bounds;                              ///< grid and random: where; surface: unused
+    double height_min = 0.1, height_max = 0.5;  ///< surface: distance from the surface along its normal
     uint64_t seed = 1;
-    double radius = 1.0;                               ///< in the fixed regime
-    double intensity = 1.0;                            ///< W/sr of the brightest channel at that radius
-    double saturation = 0.6;                           ///< 0 white, 1 pure hues
-    double spot_share = 0.0;                           ///< share of spots among them, [0, 1]
-    double inner_deg = 20.0, outer_deg = 30.0;         ///< of the spots
+    double radius = 1.0;                        ///< in the fixed regime
+    double intensity = 1.0;                     ///< W/sr of the brightest channel at that radius
+    double saturation = 0.6;                    ///< 0 white, 1 pure hues
+    double spot_share = 0.0;                    ///< share of spots among them, [0, 1]
+    double inner_deg = 20.0, outer_deg = 30.0;  ///< of the spots
 };
 
 struct LightRig {
-    std::vector<Light> fixed;                  ///< written out in the file; the first of the sequence
-    std::optional<LightGenerator> generator;   ///< continues the sequence
-    int default_count = 1;                     ///< how many when nobody says
-    double default_overlap = 0.0;              ///< k of the constant-overlap regime; 0: fixed radius
+    std::vector<Light> fixed;                 ///< written out in the file; the first of the sequence
+    std::optional<LightGenerator> generator;  ///< continues the sequence
+    int default_count = 1;                    ///< how many when nobody says
+    double default_overlap = 0.0;             ///< k of the constant-overlap regime; 0: fixed radius
 };
 
 struct Scene {
-    std::string key;   ///< its name on the command line, in JSON and in plots
+    std::string key;  ///< its name on the command line, in JSON and in plots
     std::string summary;
     std::string content_hash;  ///< of everything below
     std::vector<Vertex> vertices;
@@ -141,8 +141,8 @@ struct Scene {
     std::vector<Instance> instances;  ///< drawn in this order
     Camera camera;
     LightRig lights;
-    glm::dvec3 ambient{0.0};     ///< constant radiance from everywhere; reflected by the base colour
-    glm::dvec3 background{0.0};  ///< radiance where no surface is
+    glm::dvec3 ambient{0.0};            ///< constant radiance from everywhere; reflected by the base colour
+    glm::dvec3 background{0.0};         ///< radiance where no surface is
     std::vector<std::string> warnings;  ///< what the file asks for that is drawn otherwise; shown in the report
 
     uint64_t triangle_count() const;  ///< of all instances
@@ -155,12 +155,14 @@ Scene load_scene(const std::string& key_or_path);
 
 /// How the radius follows the light count.
 struct RadiusRegime {
-    double overlap = 0.0;  ///< > 0: shrink radii so that about this many generated lights reach a surface point; 0: fixed
+    double overlap =
+        0.0;  ///< > 0: shrink radii so that about this many generated lights reach a surface point; 0: fixed
 };
 
 /// The first `count` lights of the scene's sequence: the written ones, then generated ones. In the constant-overlap
-/// regime the radius r of generated lights follows `count` (never above the generator's) and their intensity follows r^2, so that the lit
-/// level stays. Throws InputError when the scene has fewer written lights than `count` and no generator.
+/// regime the radius r of generated lights follows `count` (never above the generator's) and their intensity follows
+/// r^2, so that the lit level stays. Throws InputError when the scene has fewer written lights than `count` and no
+/// generator.
 std::vector<Light> make_lights(const Scene& scene, int count, RadiusRegime regime);
 
 }  // namespace lightsweep

@@ -6,6 +6,10 @@ layout(location = kLightIndexUniform) uniform uint light_index;
 layout(location = 0) out vec4 color;
 
 void main() {
-    Surface s = read_surface(gl_FragCoord.xy, pixel_depth());
+    float depth = pixel_depth();
+    color = vec4(0.0);
+    // A volume that reaches past the far plane marks the background too: there is no surface to light.
+    if (is_background(depth)) return;
+    Surface s = read_surface(gl_FragCoord.xy, depth);
     color = vec4(shade_local(s, view_direction(s), lights[light_index]), 0.0);
 }

@@ -9,6 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace lightsweep {
 namespace {
 
@@ -131,7 +133,7 @@ TEST(GoogleBenchmark, has_one_iteration_per_frame_and_an_error_per_failed_cell) 
     const Json exported = to_google_benchmark(report_of(journal));
     EXPECT_EQ(exported.at("context").at("num_cpus"), 2);
     const Json& benchmarks = exported.at("benchmarks");
-    ASSERT_THAT(benchmarks, SizeIs(4));
+    ASSERT_THAT(benchmarks, SizeIs(5));
     const CellResult& cell = journal.groups[0].cells[0];
     for (size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(benchmarks[i].at("name"), cell.name);
@@ -143,8 +145,13 @@ TEST(GoogleBenchmark, has_one_iteration_per_frame_and_an_error_per_failed_cell) 
         EXPECT_EQ(benchmarks[i].at("real_time"), cell.samples.wall_ns[i]);
         EXPECT_EQ(benchmarks[i].at("cpu_time"), cell.samples.cpu_ns[i]);
     }
-    EXPECT_EQ(benchmarks[3].at("error_occurred"), true);
-    EXPECT_EQ(benchmarks[3].at("error_message"), "too slow");
+    auto sorted = cell.samples.wall_ns;
+    std::ranges::sort(sorted);
+    EXPECT_EQ(benchmarks[3].at("name"), cell.name + "_median");
+    EXPECT_EQ(benchmarks[3].at("aggregate_name"), "median");
+    EXPECT_EQ(benchmarks[3].at("real_time"), sorted[1]);
+    EXPECT_EQ(benchmarks[4].at("error_occurred"), true);
+    EXPECT_EQ(benchmarks[4].at("error_message"), "too slow");
 }
 
 }  // namespace

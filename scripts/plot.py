@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Draws a report: time over lights, ratio to forward, time per pass, time against error; one figure each per scene.
+
+Usage: plot.py REPORT [--out DIR]      writes PNG and SVG (into the report's folder unless told) and prints their paths; what
+cannot be drawn is said on stderr. Exit code 2 on bad input. Debian: python3-matplotlib.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+
+from plotting import over_lights, per_pass, time_error
+from plotting import report as data
+from plotting import style
+
+FIGURES = {
+    "time_over_lights": over_lights.draw_time,
+    "ratio_to_forward": over_lights.draw_ratio,
+    "time_per_pass": per_pass.draw,
+    "time_against_error": time_error.draw,
+}
+
+
+def file_words(scenes):
+    """{scene: its word in file names}, each different: two files may have one stem."""
+    words = {}
+    for scene in scenes:
+        word = base = re.sub(r"[^A-Za-z0-9_.-]+", "_", data.name_of(scene)) or "scene"
+        number = 1
+        while word in words.values():
+            number += 1
+            word = f"{base}-{number}"
+        words[scene] = word
+    return words
+
+
+def draw_all(report, folder):
+    """Yields (files, None) for each figure, or (nothing, a line on what is missing)."""
+    scenes = data.scenes(report)
+    if not scenes:
+        yield [], "no cell was measured: nothing to draw"
+    words = file_words(scenes)
+    for scene, cells in scenes.items():
+        for name, draw in FIGURES.items():
+            figure, why_not = draw(report, scene, cells)
+            if figure is None:
+                yield [], f"no {name} of {data.name_of(scene)}: {why_not}"
+            else:
+                yield style.save(figure, report, folder, f"{name}_{words[scene]}"), None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("report", type=pathlib.Path, metavar="REPORT")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="where the pictures go (default: beside the report)")
+    arguments = parser.parse_args()
+    folder = arguments.out or arguments.report.parent
+    try:
+        report = data.load(arguments.report)
+        folder.mkdir(parents=True, exist_ok=True)
+        for files, missing in draw_all(report, folder):
+            for file in files:
+                print(file)
+            if missing:
+                print(f"plot.py: {missing}", file=sys.stderr)
+    except data.ReportError as error:
+        print(f"plot.py: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"plot.py: {error.filename or folder}: {error.strerror}", file=sys.stderr)
+        return 2
+    except (KeyError, TypeError, AttributeError) as error:
+        print(f"plot.py: {arguments.report}: not a sound report ({type(error).__name__}: {error}); "
+              "scripts/check_report.py says where", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

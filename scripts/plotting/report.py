@@ -1,0 +1,104 @@
+"""A report as the pictures want it: the cells that were measured, by scene, panel and arm."""
+
+import json
+import pathlib
+from typing import NamedTuple
+
+SCHEMA = "lightsweep-report-1"
+PARTS = {"run": dict, "environment": dict, "timer": dict, "noise": dict, "cells": list, "pairs": list,
+         "crossovers": list, "pareto": list}
+
+
+class ReportError(Exception):
+    """The file is no report that can be drawn; the message says where and why."""
+
+
+class Arm(NamedTuple):
+    """What tells two cells of a group apart."""
+
+    path: str
+    layout: str | None
+    hdr: str
+
+
+class Panel(NamedTuple):
+    """What one axes shows."""
+
+    width_px: int
+    height_px: int
+    overlap: float | None
+
+    @property
+    def title(self):
+        regime = "" if self.overlap is None else f", {self.overlap:g} lights per point"
+        return f"{self.width_px}\u00d7{self.height_px}{regime}"
+
+
+def load(path):
+    try:
+        report = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ReportError(f"{path}: {error.strerror}") from error
+    except ValueError as error:
+        raise ReportError(f"{path}: not JSON: {error}") from error
+    if not isinstance(report, dict) or report.get("schema") != SCHEMA:
+        raise ReportError(f"{path}:/schema: not a report of the kind '{SCHEMA}'")
+    for key, kind in PARTS.items():
+        if not isinstance(report.get(key), kind):
+            raise ReportError(f"{path}:/{key}: {'an object' if kind is dict else 'a list'} was expected")
+    return report
+
+
+def name_of(value):
+    """The key of a scene or layout, or the stem of the file it is."""
+    return pathlib.Path(value).stem
+
+
+def arm_of(params):
+    return Arm(params["path"], params["layout"], params["hdr"])
+
+
+def panel_of(params):
+    return Panel(params["width_px"], params["height_px"], params["overlap"])
+
+
+def measured(report):
+    return [cell for cell in report["cells"] if cell["status"] == "ok"]
+
+
+def scenes(report):
+    """{scene: its measured cells}, in the report's order."""
+    by_scene = {}
+    for cell in measured(report):
+        by_scene.setdefault(cell["params"]["scene"], []).append(cell)
+    return by_scene
+
+
+def panels(cells):
+    """{panel: its cells}, small pictures first."""
+    by_panel = {}
+    for cell in cells:
+        by_panel.setdefault(panel_of(cell["params"]), []).append(cell)
+    return dict(sorted(by_panel.items(), key=lambda item: (item[0].overlap or 0, item[0].width_px * item[0].height_px)))
+
+
+def most_lights(cells):
+    """The cells with the largest light count among `cells`."""
+    largest = max(cell["params"]["lights"] for cell in cells)
+    return [cell for cell in cells if cell["params"]["lights"] == largest]
+
+
+def arm_names(arms):
+    """{arm: label}: as much of each arm as is needed to tell it from the others."""
+    arms = list(dict.fromkeys(arms))
+    several_layouts = len({arm.layout for arm in arms if arm.layout}) > 1
+    several_hdr = len({arm.hdr for arm in arms}) > 1
+    names = {}
+    for arm in arms:
+        words = [arm.path]
+        if arm.layout and several_layouts:
+            words.append(name_of(arm.layout))
+        if several_hdr:
+            words.append(arm.hdr)
+        names[arm] = ", ".join(words)
+    return names

@@ -1,0 +1,174 @@
+// The runner on a small group: every sample kept and adding up, failures recorded, a planted cost found.
+#include "bench/measure/group_runner.h"
+#include "bench/measure/known_work.h"
+#include "bench/report/pairs.h"
+#include "bench/stats/linear_fit.h"
+#include "bench/stats/quantile.h"
+#include "bench/stats/schedule.h"
+#include "renderer/pass/recorder.h"
+#include "renderer/post/post.h"
+#include "tests/gl/fixture.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace lightsweep {
+namespace {
+
+using testing::HasSubstr;
+
+PlanGroup group_of(const std::string& scene, int lights, const std::vector<std::pair<std::string, std::string>>& arms) {
+    PlanGroup group;
+    for (const auto& [path, layout] : arms) {
+        CellParams cell;
+        cell.scene = scene;
+        cell.lights = lights;
+        cell.width = 128;
+        cell.height = 72;
+        cell.path = path;
+        cell.layout = layout;
+        group.cells.push_back(cell);
+    }
+    group.key = group.cells.front().group();
+    return group;
+}
+
+GroupResult run_group(const PlanGroup& group, int rounds) {
+    SceneStore scenes;
+    const std::atomic<bool> never{false};
+    GroupRunner runner(scenes, "finish_clock", never);
+    return runner.run(group, {.target_ci = 1e-9, .min_rounds = rounds, .max_rounds = rounds}, [](double) {});
+}
+
+TEST(GroupRunner, KeepsEverySampleAndTheyAddUp) {
+    const auto result = run_group(group_of("cornell", 8, {{"forward", ""}, {"deferred", "oct32"}, {"deferred_volumes", "packed"}}), 8);
+    ASSERT_EQ(result.cells.size(), 3U);
+    for (const auto& cell : result.cells) {
+        ASSERT_EQ(cell.status, CellStatus::ok) << cell.reason.value_or("");
+        const Samples& s = cell.samples;
+        ASSERT_EQ(s.count(), 8U);
+        for (size_t i = 0; i < s.count(); ++i) {
+            int64_t sum = 0;
+            for (const auto& [name, ns] : s.passes) {
+                ASSERT_EQ(ns.size(), s.count());
+                sum += ns[i];
+            }
+            EXPECT_EQ(sum, s.gpu_ns[i]);
+            EXPECT_GE(s.wall_ns[i], s.cpu_ns[i] + s.gpu_ns[i]);
+        }
+        EXPECT_EQ(s.passes.back().first, "unattributed");
+        EXPECT_GT(*cell.first_frame_ns, 0);
+        ASSERT_TRUE(cell.error);
+        EXPECT_EQ(cell.error->against, "control");
+        EXPECT_GT(*cell.work->light_evaluations, 0);
+    }
+    ASSERT_TRUE(result.noise);
+    EXPECT_EQ(result.noise->wall_ns.size(), 8U);
+    EXPECT_EQ(result.noise->arm, result.cells.front().name);
+    // A volume touches a pixel only where the light reaches: never more evaluations than a full-screen pass.
+    EXPECT_LE(*result.cells[2].work->light_evaluations, *result.cells[1].work->light_evaluations);
+}
+
+TEST(GroupRunner, WallIsCpuPlusGpu) {
+    const auto result = run_group(group_of("cornell", 64, {{"forward", ""}, {"deferred", "float32"}}), 12);
+    for (const auto& cell : result.cells) {
+        std::vector<double> shares;
+        for (size_t i = 0; i < cell.samples.count(); ++i) {
+            shares.push_back(static_cast<double>(cell.samples.cpu_ns[i] + cell.samples.gpu_ns[i]) /
+                             static_cast<double>(cell.samples.wall_ns[i]));
+        }
+        EXPECT_NEAR(median(shares), 1.0, 0.05) << cell.name;
+    }
+}
+
+TEST(GroupRunner, ControlEqualsItself) {
+    PlanGroup group = group_of("cornell", 8, {{"deferred", "float32"}});
+    group.cells.front().hdr = "rgba32f";
+    const auto result = run_group(group, 6);
+    ASSERT_TRUE(result.cells.front().error);
+    EXPECT_TRUE(result.cells.front().error->hdr.identical);
+    EXPECT_TRUE(result.cells.front().error->display.identical);
+}
+
+TEST(GroupRunner, AFailedCellIsRecordedAndTheRestGoesOn) {
+    PlanGroup group = group_of("cornell", 4, {{"deferred", "oct32"}, {"forward", ""}});
+    for (auto& cell : group.cells) cell.width = cell.height = 65536;
+    const auto refused = run_group(group, 6);
+    for (const auto& cell : refused.cells) {
+        EXPECT_EQ(cell.status, CellStatus::skipped);
+        EXPECT_THAT(*cell.reason, HasSubstr("limit"));
+    }
+}
+
+TEST(GroupRunner, StopsWhenInterrupted) {
+    SceneStore scenes;
+    const std::atomic<bool> already{true};
+    GroupRunner runner(scenes, "finish_clock", already);
+    const auto result = runner.run(group_of("cornell", 4, {{"forward", ""}}), {}, [](double) {});
+    EXPECT_EQ(result.cells.front().samples.count(), 0U);
+}
+
+// Arms of the test's own, sampled as the runner does.
+std::vector<std::vector<double>> sample_arms(std::vector<Arm*> arms, size_t rounds) {
+    const auto timer = make_frame_timer("finish_clock");
+    for (Arm* arm : arms) arm->draw();
+    std::vector<std::vector<double>> times(arms.size());
+    for (size_t round = 0; round < rounds; ++round) {
+        for (const size_t a : schedule(arms.size(), round)) {
+            times[a].push_back(static_cast<double>(arms[a]->sample(*timer).wall_ns));
+        }
+    }
+    return times;
+}
+
+TEST(Harness, FindsAPlantedCost) {
+    // The shading pass twice: the same picture for more work. Its twin without the plant must look the same as itself.
+    SceneStore scenes;
+    const GpuScene& gpu_scene = scenes.gpu_scene("cornell");
+    const Subject subject{gpu_scene, make_lights(scenes.scene("cornell"), 64, {}), 320, 180};
+    FrameBuffers buffers;
+    const DrawShapes shapes;
+    const PathSetup setup{.needs = gpu_scene.needs(), .layout = drop_unneeded(load_layout("oct32"), gpu_scene.needs())};
+    const auto build = [&](bool planted) {
+        Path path = find_path("deferred").build(setup);
+        if (planted) path.passes.push_back(path.passes.back());
+        post_tone_map.append(path);
+        return path;
+    };
+    Arm plain(build(false), setup, subject, buffers, shapes), twin(build(false), setup, subject, buffers, shapes);
+    Arm planted(build(true), setup, subject, buffers, shapes);
+    const auto times = sample_arms({&plain, &twin, &planted}, 24);
+    const auto against_twin = ratio_of_pairs(times[1], times[0]);
+    const auto against_planted = ratio_of_pairs(times[2], times[0]);
+    ASSERT_TRUE(against_twin && against_planted);
+    EXPECT_EQ(verdict(against_planted->ratio, 0.05), Verdict::slower);
+    EXPECT_GT(against_planted->ratio.estimate, against_twin->ratio.estimate * 1.2);
+    expect_close(plain.hdr_image(), planted.hdr_image(), 0.0, 0.0, "the picture");
+}
+
+TEST(Harness, ForwardIsLinearInTheLights) {
+    // Fixed radius, every light reaching: nothing to cull. The fastest of several frames, against noise.
+    SceneStore scenes;
+    const GpuScene& gpu_scene = scenes.gpu_scene("cornell");
+    FrameBuffers buffers;
+    const DrawShapes shapes;
+    const auto timer = make_frame_timer("finish_clock");
+    CellParams cell;
+    cell.path = "forward";
+    std::vector<double> counts, times;
+    for (const int count : {16, 32, 64, 128, 256}) {
+        auto lights = make_lights(scenes.scene("cornell"), count, {});
+        for (auto& light : lights) light.radius = 1e3;
+        const Subject subject{gpu_scene, lights, 160, 90};
+        Arm arm(cell, subject, buffers, shapes);
+        int64_t fastest = INT64_MAX;
+        for (int i = 0; i < 40; ++i) fastest = std::min(fastest, arm.sample(*timer).wall_ns);
+        counts.push_back(count);
+        times.push_back(static_cast<double>(fastest));
+    }
+    EXPECT_GT(linear_fit(counts, times)->r_squared, 0.99);
+}
+
+}  // namespace
+}  // namespace lightsweep
