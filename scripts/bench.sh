@@ -37,7 +37,8 @@ if [[ ($code -eq 0 || $code -eq 4 || $code -eq 5) && $report -nt $started ]]; th
     plotted=0
     pictures="$(/usr/bin/python3 "$root/scripts/plot.py" "$report" --out "$out")" || plotted=$?
     echo "report:   $report"
-    [[ -z $pictures ]] || echo "pictures:" && sed 's/^/  /' <<<"$pictures"
+    echo "pictures:"
+    sed 's/^/  /' <<<"${pictures:-none}"
     [[ $code -ne 0 ]] || code=$plotted
 fi
 exit "$code"

@@ -41,13 +41,14 @@ def draw_all(report, folder):
     if not scenes:
         yield [], "no cell was measured: nothing to draw"
     words = file_words(scenes)
+    paths = list(dict.fromkeys(cell["params"]["path"] for cells in scenes.values() for cell in cells))
     for scene, cells in scenes.items():
         for name, draw in FIGURES.items():
-            figure, why_not = draw(report, scene, cells)
+            figure, why_not = draw(report, scene, cells, paths)
             if figure is None:
                 yield [], f"no {name} of {data.name_of(scene)}: {why_not}"
             else:
-                yield style.save(figure, report, folder, f"{name}_{words[scene]}"), None
+                yield style.save(figure, folder, f"{name}_{words[scene]}"), None
 
 
 def main():

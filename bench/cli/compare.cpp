@@ -1,6 +1,6 @@
 // lightsweep compare: two reports, cell by cell.
-#include "bench/cli/commands.h"
 #include "bench/report/compare.h"
+#include "bench/cli/commands.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,8 @@ Command add_compare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("compare", "two reports: what became faster or slower");
     command->add_option("base", options->base, "report.json")->required();
     command->add_option("new", options->next, "report.json")->required();
-    command->add_option("--fail-on", options->fail_on_percent, "exit 1 when a cell is slower by more than this percentage")
+    command
+        ->add_option("--fail-on", options->fail_on_percent, "exit 1 when a cell is slower by more than this percentage")
         ->check(CLI::Range(0.0, 1e6));
     command->add_flag("--json", options->json, "for programs");
     return [options] {

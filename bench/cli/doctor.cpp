@@ -95,12 +95,14 @@ void print_doctor(const Json& json) {
         fmt::print("noise floor: unknown\n\n");
     } else {
         fmt::print("noise floor: {:.2f} % (the same work twice, {} pairs: ratio {:.4f})\n\n",
-                   100 * noise.at("floor").get<double>(), noise.at("pairs").get<int>(), noise.at("ratio").get<double>());
+                   100 * noise.at("floor").get<double>(), noise.at("pairs").get<int>(),
+                   noise.at("ratio").get<double>());
     }
     Table rounding({"HDR format", "write", "blend", "4000 x 0.1 blended (exact: 400)"});
     for (const auto& p : json.at("rounding")) {
         rounding.add({p.at("format").get<std::string>(), p.at("write").get<std::string>(),
-                      p.at("blend").get<std::string>(), fmt::format("{:.6g}", p.at("sum_of_4000_tenths").get<double>())});
+                      p.at("blend").get<std::string>(),
+                      fmt::format("{:.6g}", p.at("sum_of_4000_tenths").get<double>())});
     }
     fmt::print("{}\n", rounding.text());
     Table limits({"limit", "value"});
@@ -130,7 +132,8 @@ Command add_doctor(CLI::App& app) {
         for (const auto& [name, value] : gl::named_limits(context->limits())) json["limits"][std::string(name)] = value;
         // The table is wanted most where no timer is accepted.
         TimerReport timer = run_timer_self_test(all_timers(), timer_methods().back());
-        const bool trusted = std::any_of(timer.methods.begin(), timer.methods.end(), [](const auto& m) { return m.accepted; });
+        const bool trusted =
+            std::any_of(timer.methods.begin(), timer.methods.end(), [](const auto& m) { return m.accepted; });
         if (trusted) timer = choose_timer(std::move(timer.methods), {});
         json["timer"] = to_json(timer);
         json["noise"] = noise_json(timer.method);

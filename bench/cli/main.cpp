@@ -20,14 +20,20 @@ int report(const std::string& message, int code) {
 }
 
 int main_checked(int argc, char** argv) {
-    CLI::App app{"Which shading path, which G-buffer layout: at what cost in time, and what cost in error?", "lightsweep"};
+    CLI::App app{"Which shading path, which G-buffer layout: at what cost in time, and what cost in error?",
+                 "lightsweep"};
     app.set_version_flag("--version", program_version() + " (" + program_git_commit().value_or("no commit") + ")");
     app.require_subcommand(1);
     app.fallthrough();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const std::vector<std::pair<std::string, std::function<Command(CLI::App&)>>> table = {
-        {"list", add_list}, {"doctor", add_doctor}, {"render", add_render}, {"diff", add_diff}, {"compare", add_compare},
-        {"merge", add_merge}, {"run", [&](CLI::App& command) { return add_run(command, arguments); }},
+        {"list", add_list},
+        {"doctor", add_doctor},
+        {"render", add_render},
+        {"diff", add_diff},
+        {"compare", add_compare},
+        {"merge", add_merge},
+        {"run", [&](CLI::App& command) { return add_run(command, arguments); }},
     };
     std::map<std::string, Command> commands;
     std::vector<std::string> names;

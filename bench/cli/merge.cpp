@@ -1,7 +1,7 @@
 // lightsweep merge: the journals of a sweep's shards, or of an interrupted run, as one report.
+#include "bench/report/merge.h"
 #include "bench/cli/commands.h"
 #include "bench/report/assemble.h"
-#include "bench/report/merge.h"
 #include "renderer/base/file.h"
 
 #include <fmt/format.h>

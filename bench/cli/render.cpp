@@ -66,7 +66,8 @@ Command add_render(CLI::App& app) {
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
     command->add_option("--hdr", options->hdr, "format of the HDR target")->capture_default_str();
     command->add_option("--view", options->view, "final, or a buffer (lightsweep list views)")->capture_default_str();
-    command->add_option("-o,--output", options->output, "image.png (display values) or image.exr (linear values)")->required();
+    command->add_option("-o,--output", options->output, "image.png (display values) or image.exr (linear values)")
+        ->required();
     return [options] {
         const CellParams cell = parse_options(*options);
         SceneStore scenes;

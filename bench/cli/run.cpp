@@ -45,8 +45,8 @@ struct Options {
 };
 
 // "90s", "3m", "1h", or a number of seconds; "2%" or a fraction.
-double parse_quantity(const std::string& option, const std::string& text, const std::vector<std::pair<std::string, double>>& units,
-                      const std::string& allowed) {
+double parse_quantity(const std::string& option, const std::string& text,
+                      const std::vector<std::pair<std::string, double>>& units, const std::string& allowed) {
     double value = 0.0;
     const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     const std::string unit(rest, text.data() + text.size());
@@ -119,9 +119,11 @@ RunInfo make_run_info(const Plan& plan, const Options& options, std::optional<do
 }
 
 std::string group_line(const GroupResult& group) {
-    const auto ok = std::count_if(group.cells.begin(), group.cells.end(), [](const auto& c) { return c.status == CellStatus::ok; });
+    const auto ok =
+        std::count_if(group.cells.begin(), group.cells.end(), [](const auto& c) { return c.status == CellStatus::ok; });
     const size_t rounds = group.noise ? group.noise->round.size() : 0;
-    return fmt::format("{}: {} of {} cells ok, {} rounds, {:.1f} s", group.group, ok, group.cells.size(), rounds, group.wall_s);
+    return fmt::format("{}: {} of {} cells ok, {} rounds, {:.1f} s", group.group, ok, group.cells.size(), rounds,
+                       group.wall_s);
 }
 
 // Runs what the journal does not hold yet. Time that a fast group leaves goes to those after it.
@@ -134,7 +136,8 @@ void run_groups(const Plan& plan, const std::set<std::string>& done, GroupRunner
         const PlanGroup& group = plan.groups[i];
         if (done.contains(group.key)) continue;
         SamplingRules rules{.target_ci = target_ci};
-        if (budget_s) rules.seconds = std::max(0.0, *budget_s - seconds()) / static_cast<double>(plan.groups.size() - i);
+        if (budget_s)
+            rules.seconds = std::max(0.0, *budget_s - seconds()) / static_cast<double>(plan.groups.size() - i);
         GroupResult result = runner.run(group, rules, [&](double fraction) { bar.update(i, fraction, group.key); });
         if (interrupted) break;
         result.wall_s = seconds() - last;
@@ -152,11 +155,14 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     }
     const Catalog names = catalog();
     const Sweep sweep = load_sweep(options.sweep, names);
-    const Plan plan = make_plan(sweep, parse_axis_arguments(options.axes, names), options.filter, parse_shard(options.shard), names);
+    const Plan plan =
+        make_plan(sweep, parse_axis_arguments(options.axes, names), options.filter, parse_shard(options.shard), names);
     std::optional<double> budget_s = sweep.time_budget_s;
     if (!options.time_budget.empty()) budget_s = parse_duration(options.time_budget);
-    const double target_ci = options.target_ci.empty() ? sweep.target_ci.value_or(0.02) : parse_share(options.target_ci);
-    if (!options.timer.empty() && std::find(timer_methods().begin(), timer_methods().end(), options.timer) == timer_methods().end()) {
+    const double target_ci =
+        options.target_ci.empty() ? sweep.target_ci.value_or(0.02) : parse_share(options.target_ci);
+    if (!options.timer.empty() &&
+        std::find(timer_methods().begin(), timer_methods().end(), options.timer) == timer_methods().end()) {
         throw InputError(unknown_name("timer", options.timer, timer_methods()));
     }
     SceneStore scenes(options.seed);
@@ -176,8 +182,8 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     std::set<std::string> done;
     const bool resuming = options.resume && fs::exists(journal_file);
     if (resuming) done = finished_groups(read_journal(journal_file), journal_file, info, environment);
-    JournalWriter journal = resuming ? JournalWriter::resume(journal_file)
-                                     : JournalWriter::create(journal_file, info, environment, timer);
+    JournalWriter journal =
+        resuming ? JournalWriter::resume(journal_file) : JournalWriter::create(journal_file, info, environment, timer);
     fmt::print(stderr, "{}: {} cells in {} groups on {}; timer {}\n", sweep.key, plan.cell_count, plan.groups.size(),
                environment.gl_renderer, timer.method);
     std::signal(SIGINT, on_interrupt);
@@ -193,7 +199,8 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
         return kInterrupted;
     }
     const auto& cells = report.at("cells");
-    const bool all_ok = std::all_of(cells.begin(), cells.end(), [](const Json& cell) { return cell.at("status") == "ok"; });
+    const bool all_ok =
+        std::all_of(cells.begin(), cells.end(), [](const Json& cell) { return cell.at("status") == "ok"; });
     return all_ok ? kDone : kCellsFailed;
 }
 
@@ -204,12 +211,16 @@ Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
     CLI::App* command = app.add_subcommand("run", "measure a sweep");
     options->device.add(*command);
     command->add_option("sweep", options->sweep, "key or .json file of a sweep")->capture_default_str();
-    command->add_option("-a,--axis", options->axes, "axis=values, in place of the sweep's: lights=1,16,256 lights=pow2:0:12 "
-                                                    "size=640x360,1280x720 path=* scene=atrium,model.gltf")
+    command
+        ->add_option("-a,--axis", options->axes,
+                     "axis=values, in place of the sweep's: lights=1,16,256 lights=pow2:0:12 "
+                     "size=640x360,1280x720 path=* scene=atrium,model.gltf")
         ->take_all();
-    command->add_option("--out", options->out, "folder for journal.jsonl and report.json (default: out/<sweep>-<time>)");
+    command->add_option("--out", options->out,
+                        "folder for journal.jsonl and report.json (default: out/<sweep>-<time>)");
     command->add_option("--time-budget", options->time_budget, "for the whole run: 90s, 3m, 1h");
-    command->add_option("--target-ci", options->target_ci, "stop a group when its medians are known to this half width: 2%");
+    command->add_option("--target-ci", options->target_ci,
+                        "stop a group when its medians are known to this half width: 2%");
     command->add_option("--filter", options->filter, "only cells whose name matches this regular expression");
     command->add_option("--shard", options->shard, "i/n: only this part of the groups")->capture_default_str();
     command->add_flag("--resume", options->resume, "go on with the journal in --out");

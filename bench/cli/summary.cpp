@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 namespace lightsweep {
 namespace {
 
@@ -16,7 +14,9 @@ std::string interval_text(const Json& statistics) {
     return fmt::format("[{}, {}]", end("low"), end("high"));
 }
 
-std::string number_text(const Json& value) { return value.is_null() ? "-" : fmt::format("{:.2e}", value.get<double>()); }
+std::string number_text(const Json& value) {
+    return value.is_null() ? "-" : fmt::format("{:.2e}", value.get<double>());
+}
 
 std::string arm_text(const Json& arm) {
     std::string text = arm.at("path").get<std::string>();
@@ -42,21 +42,20 @@ std::string cell_table(const Json& report) {
 }
 
 std::string crossover_text(const Json& report) {
-    std::string text;
+    Table table({"scene", "size", "overlap", "path", "against", "lights", "95 % interval, or why none"});
+    const auto end_text = [](const Json& end) {
+        return end.is_null() ? std::string("?") : fmt::format("{:.1f}", end.get<double>());
+    };
     for (const auto& c : report.at("crossovers")) {
-        const std::string where = fmt::format("{} {}x{}: {} against {}", c.at("scene").get<std::string>(),
-                                              c.at("width_px").get<int>(), c.at("height_px").get<int>(),
-                                              arm_text(c.at("a")), arm_text(c.at("b")));
-        if (c.at("lights").is_null()) {
-            text += fmt::format("  {}: none ({})\n", where, c.at("reason").get<std::string>());
-            continue;
-        }
-        const auto end = [&](const char* key) {
-            return c.at(key).is_null() ? std::string("?") : fmt::format("{:.1f}", c.at(key).get<double>());
-        };
-        text += fmt::format("  {}: {:.1f} lights [{}, {}]\n", where, c.at("lights").get<double>(), end("low"), end("high"));
+        const bool found = !c.at("lights").is_null();
+        table.add({c.at("scene").get<std::string>(),
+                   fmt::format("{}x{}", c.at("width_px").get<int>(), c.at("height_px").get<int>()),
+                   c.at("overlap").is_null() ? "fixed" : c.at("overlap").dump(), arm_text(c.at("a")),
+                   arm_text(c.at("b")), found ? fmt::format("{:.1f}", c.at("lights").get<double>()) : "none",
+                   found ? fmt::format("[{}, {}]", end_text(c.at("low")), end_text(c.at("high")))
+                         : c.at("reason").get<std::string>()});
     }
-    return text.empty() ? "" : "\ncrossovers (where the two take the same time)\n" + text;
+    return table.size() == 0 ? "" : "\ncrossovers (the light count where both take the same time)\n" + table.text();
 }
 
 std::string failures_text(const Json& report) {

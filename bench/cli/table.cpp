@@ -14,7 +14,8 @@ size_t width(const std::string& text) {
 }
 
 bool numeric(const std::string& text) {
-    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) != 0 || text[0] == '-' || text[0] == '<');
+    return !text.empty() &&
+           (std::isdigit(static_cast<unsigned char>(text[0])) != 0 || text[0] == '-' || text[0] == '<');
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ std::string value_in(const char* file, std::string_view key, char separator) {
 }
 
 std::map<std::string, std::string> driver_variables() {
-    static constexpr std::array kPrefixes = {"LP_",     "GALLIUM_", "MESA_", "LIBGL_", "ST_",          "TGSI_",
-                                             "DRAW_",   "EGL_",     "__EGL", "__GL",   "vblank_mode", "CUDA_VISIBLE"};
+    static constexpr std::array kPrefixes = {"LP_",   "GALLIUM_", "MESA_", "LIBGL_", "ST_",         "TGSI_",
+                                             "DRAW_", "EGL_",     "__EGL", "__GL",   "vblank_mode", "CUDA_VISIBLE"};
     std::map<std::string, std::string> result;
     for (char** variable = environ; *variable != nullptr; ++variable) {
         const std::string_view text(*variable);
@@ -57,7 +57,8 @@ Environment read_environment(const gl::Context& context) {
     environment.cpu = value_in("/proc/cpuinfo", "model name", ':');
     environment.cores = std::thread::hardware_concurrency();
     environment.memory_bytes = static_cast<int64_t>(memory.totalram) * memory.mem_unit;
-    environment.os = fmt::format("{}, {} {}", value_in("/etc/os-release", "PRETTY_NAME", '='), kernel.sysname, kernel.release);
+    environment.os =
+        fmt::format("{}, {} {}", value_in("/etc/os-release", "PRETTY_NAME", '='), kernel.sysname, kernel.release);
     environment.gl_provider = gl.provider;
     environment.gl_vendor = gl.vendor;
     environment.gl_renderer = gl.renderer;

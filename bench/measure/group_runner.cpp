@@ -5,6 +5,8 @@
 #include "renderer/base/error.h"
 #include "renderer/gl/context.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -67,6 +69,19 @@ bool tight(const std::vector<int64_t>& ns, double target) {
 
 }  // namespace
 
+// The timer passed its test, but one frame of many may still be off: said, and not hidden.
+void warn_of_impossible_times(CellResult& cell) {
+    size_t count = 0;
+    for (size_t i = 0; i < cell.samples.count(); ++i) {
+        const int64_t gpu = cell.samples.gpu_ns[i];
+        if (gpu <= 0 || gpu > cell.samples.wall_ns[i]) ++count;
+    }
+    if (count > 0) {
+        cell.warnings.push_back(fmt::format("{} of {} frames have a gpu_ns that is not above 0 and below wall_ns",
+                                            count, cell.samples.count()));
+    }
+}
+
 // A place in the round: a cell's arm, or the twin of the first one.
 struct GroupRunner::Slot {
     Arm* arm = nullptr;
@@ -92,7 +107,8 @@ FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
     return sample;
 }
 
-void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupResult& result, std::vector<Slot>& slots) {
+void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupResult& result,
+                          std::vector<Slot>& slots) {
     for (const auto& params : group.cells) {
         CellResult cell = new_cell(params, subject.scene.scene(), subject.lights.size());
         const auto fail = [&](CellStatus status, const std::string& reason) {
@@ -118,22 +134,24 @@ void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupR
         }
         result.cells.push_back(std::move(cell));
     }
-    if (!slots.empty()) slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
+    if (!slots.empty())
+        slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
 }
 
 void GroupRunner::measure_errors(const Subject& subject, GroupResult& result, std::vector<Slot>& slots) {
     const CellParams control = control_cell(result.cells.front().params);
+    const int64_t start = now_ns();
     Arm arm(control, subject, buffers_, shapes_);
     arm.draw();
+    result.frames_s += seconds_since(start);
     const Image hdr = arm.hdr_image();
     const Image display = arm.display_image();
     for (const auto& slot : slots) {
         if (slot.twin) continue;
         slot.arm->draw();
-        result.cells[slot.cell].error =
-            CellError{.against = "control",
-                      .hdr = compare_images(hdr, slot.arm->hdr_image()),
-                      .display = compare_images(display, slot.arm->display_image())};
+        result.cells[slot.cell].error = CellError{.against = "control",
+                                                  .hdr = compare_images(hdr, slot.arm->hdr_image()),
+                                                  .display = compare_images(display, slot.arm->display_image())};
     }
 }
 
@@ -172,17 +190,21 @@ GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules,
     const GpuScene& gpu_scene = scenes_->gpu_scene(first.scene);
     const Scene& scene = gpu_scene.scene();
     const Subject subject{.scene = gpu_scene,
-                      .lights = make_lights(scene, first.lights.value_or(scene.lights.default_count),
-                                            {first.overlap.value_or(scene.lights.default_overlap)}),
-                      .width = first.width,
-                      .height = first.height};
+                          .lights = make_lights(scene, first.lights.value_or(scene.lights.default_count),
+                                                {first.overlap.value_or(scene.lights.default_overlap)}),
+                          .width = first.width,
+                          .height = first.height};
     std::vector<Slot> slots;
     prepare(group, subject, result, slots);
     if (slots.empty()) return result;
     measure_errors(subject, result, slots);
     result.noise = NoiseTwin{.arm = result.cells[slots.front().cell].name, .round = {}, .wall_ns = {}};
     const std::string stop_reason = sample_rounds(rules, start_ns, result, slots, progress);
-    for (const auto& slot : slots) result.cells[slot.cell].stop_reason = stop_reason;
+    for (const auto& slot : slots) {
+        if (slot.twin) continue;
+        result.cells[slot.cell].stop_reason = stop_reason;
+        warn_of_impossible_times(result.cells[slot.cell]);
+    }
     return result;
 }
 

@@ -14,9 +14,9 @@
 namespace lightsweep {
 
 struct SamplingRules {
-    double seconds = 1e9;       ///< for the whole group, preparing it included
-    double target_ci = 0.02;    ///< stop when every arm's median is known to this half width (fraction)
-    int min_rounds = 6;         ///< below this a median has no interval
+    double seconds = 1e9;     ///< for the whole group, preparing it included
+    double target_ci = 0.02;  ///< stop when every arm's median is known to this half width (fraction)
+    int min_rounds = 6;       ///< below this a median has no interval
     int max_rounds = 400;
 };
 

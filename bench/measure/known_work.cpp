@@ -18,9 +18,12 @@ constexpr unsigned kMaxIterations = 1U << 22;  // where a device that takes no t
 const std::vector<WorkKind>& work_kinds() {
     using enum WorkKind::Unit;
     static const std::vector<WorkKind> kinds = {
-        {"one_framebuffer", 512, 288, 1, 1, fragment}, {"two_framebuffers", 512, 288, 2, 2, fragment},
-        {"same_framebuffer", 512, 288, 1, 2, fragment}, {"small_target", 64, 64, 1, 1, fragment},
-        {"large_target", 1920, 1080, 1, 1, fragment},  {"vertex", 64, 64, 1, 1, vertex},
+        {"one_framebuffer", 512, 288, 1, 1, fragment},
+        {"two_framebuffers", 512, 288, 2, 2, fragment},
+        {"same_framebuffer", 512, 288, 1, 2, fragment},
+        {"small_target", 64, 64, 1, 1, fragment},
+        {"large_target", 1920, 1080, 1, 1, fragment},
+        {"vertex", 64, 64, 1, 1, vertex},
         {"compute", 64, 64, 1, 1, compute},
     };
     return kinds;

@@ -14,9 +14,9 @@ namespace lightsweep {
 
 struct WorkKind {
     std::string key;
-    int width = 0, height = 0;   ///< of the target, px
-    int framebuffers = 1;        ///< how many different ones it draws into
-    int passes = 1;              ///< how many a timer sees
+    int width = 0, height = 0;  ///< of the target, px
+    int framebuffers = 1;       ///< how many different ones it draws into
+    int passes = 1;             ///< how many a timer sees
     enum class Unit : uint8_t { fragment, vertex, compute } unit = Unit::fragment;
 };
 

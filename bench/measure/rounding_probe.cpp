@@ -17,9 +17,12 @@ constexpr int kValueUniform = 0;  // `layout(location = 0) uniform float value`
 // The distance from 1 to the next number of the format's red channel: 2^-mantissa bits.
 float ulp_of_one(gl::Format format) {
     switch (format) {
-        case gl::Format::RGBA16F: return 0x1p-10F;
-        case gl::Format::R11G11B10F: return 0x1p-6F;
-        default: return 0x1p-23F;
+        case gl::Format::RGBA16F:
+            return 0x1p-10F;
+        case gl::Format::R11G11B10F:
+            return 0x1p-6F;
+        default:
+            return 0x1p-23F;
     }
 }
 
@@ -64,9 +67,12 @@ class Probe {
 
 std::string word(Rounding rounding) {
     switch (rounding) {
-        case Rounding::nearest: return "nearest";
-        case Rounding::truncate: return "truncates";
-        case Rounding::other: break;
+        case Rounding::nearest:
+            return "nearest";
+        case Rounding::truncate:
+            return "truncates";
+        case Rounding::other:
+            break;
     }
     return "other";
 }
@@ -79,10 +85,11 @@ std::vector<RoundingProbe> probe_rounding() {
         Probe probe(format);
         // In 32 bits the sum 1 + 3/4 ulp is rounded before it is stored: only the blending is seen there.
         const bool wide = format == gl::Format::RGBA32F;
-        probes.push_back({.format = name,
-                          .write = wide ? Rounding::nearest : judge(probe.result(0.0F, 1.0F + 0.75F * ulp, 1, false), ulp),
-                          .blend = judge(probe.result(1.0F, 0.75F * ulp, 1, true), ulp),
-                          .sum_of_4000_tenths = static_cast<double>(probe.result(0.0F, 0.1F, 4000, true))});
+        probes.push_back(
+            {.format = name,
+             .write = wide ? Rounding::nearest : judge(probe.result(0.0F, 1.0F + 0.75F * ulp, 1, false), ulp),
+             .blend = judge(probe.result(1.0F, 0.75F * ulp, 1, true), ulp),
+             .sum_of_4000_tenths = static_cast<double>(probe.result(0.0F, 0.1F, 4000, true))});
     }
     return probes;
 }

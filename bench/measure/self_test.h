@@ -2,11 +2,11 @@
 //
 // The method: known work of several kinds (known_work.h), 1, 2 and 4 units of it, is timed by every method and by the
 // yardstick, the steady clock with glFinish before and after. Yardstick and methods take turns, and the fastest of the
-// repetitions counts, which is what the work takes when nothing disturbs it. A method is accepted when for every kind of
-// work the sum of its times over the amounts is within [kLowestRatio, kHighestRatio] of the yardstick's, its times are
-// linear in the amount, and no single time was impossible (negative, or longer than the clock saw). The first accepted
-// one in the order given (cheapest first) is used. No driver is believed or refused by its name. When a busy machine
-// spoils the trials so that nothing is accepted, repetitions are added: noise passes, a lie stays.
+// repetitions counts, which is what the work takes when nothing disturbs it. A method is accepted when for every kind
+// of work the sum of its times over the amounts is within [kLowestRatio, kHighestRatio] of the yardstick's, its times
+// are linear in the amount, and no single time was impossible (negative, or longer than the clock saw). The first
+// accepted one in the order given (cheapest first) is used. No driver is believed or refused by its name. When a busy
+// machine spoils the trials so that nothing is accepted, repetitions are added: noise passes, a lie stays.
 #pragma once
 
 #include "bench/measure/frame_timer.h"

@@ -65,10 +65,11 @@ bool CellBenchmarks::owns(std::string_view name) const {
     });
 }
 
-std::string CellBenchmarks::choose_timer() {
-    timer_method_ = run_timer_self_test(all_timers()).method;
+std::string CellBenchmarks::choose_timer(const std::string& forced) {
+    const TimerReport report = run_timer_self_test(all_timers(), forced);
+    timer_method_ = report.method;
     timer_ = make_frame_timer(timer_method_);
-    return timer_method_;
+    return report.forced ? timer_method_ + " (forced)" : timer_method_;
 }
 
 Arm& CellBenchmarks::prepared_arm(const CellParams& cell) {

@@ -2,6 +2,7 @@
 // files. Every failure that a user can cure is one line on stderr and an exit code, as of lightsweep itself.
 #include "bench/cli/commands.h"
 #include "bench/measure/environment.h"
+#include "bench/measure/frame_timer.h"
 #include "bench/micro/cells.h"
 #include "bench/micro/stages.h"
 #include "renderer/base/error.h"
@@ -28,7 +29,7 @@ constexpr int kRepetitions = 9;  // what compare.py's rank test asks for
 struct Options {
     std::string sweep = "smoke";
     std::vector<std::string> axes;
-    std::string device = "auto";
+    std::string device = "auto", timer;
     bool allow_debug = false;
     // Google Benchmark's own, read here because they decide what is made before it runs.
     std::string filter, out;
@@ -44,6 +45,8 @@ void add_options(CLI::App& app, Options& options) {
         ->take_all()
         ->allow_extra_args(false);
     app.add_option("--device", options.device, "auto, egl:N, surfaceless or osmesa (lightsweep list devices)");
+    app.add_option("--timer", options.timer, "use this timer whatever the self-test says")
+        ->check(CLI::IsMember(timer_methods()));
     app.add_flag("--allow-debug", options.allow_debug, "measure with a Debug build all the same");
     app.add_option("--benchmark_filter", options.filter, "run what matches this regular expression; -REGEX: the others")
         ->envname("BENCHMARK_FILTER");
@@ -129,7 +132,7 @@ int run(const Options& options, char* program) {
         benchmark::AddCustomContext("gl_renderer", context->info().renderer);
         benchmark::AddCustomContext("gl_version", context->info().version);
     }
-    if (runs_cells) benchmark::AddCustomContext("timer", cells.choose_timer());
+    if (runs_cells) benchmark::AddCustomContext("timer", cells.choose_timer(options.timer));
     if (!options.out.empty() && !std::ofstream(options.out, std::ios::app)) {  // the library would exit with 1
         throw InputError(options.out, "cannot be written");
     }

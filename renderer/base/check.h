@@ -15,14 +15,14 @@ namespace lightsweep::detail {
 }
 }  // namespace lightsweep::detail
 
-#define CHECK(condition)                                                                       \
-    do {                                                                                       \
+#define CHECK(condition)                                                                          \
+    do {                                                                                          \
         if (!(condition)) ::lightsweep::detail::check_failed(__FILE__, __LINE__, #condition, {}); \
     } while (false)
 
 /// CHECK_THAT(a < b, "a = {}, b = {}", a, b): like CHECK, and prints the values.
-#define CHECK_THAT(condition, ...)                                                                              \
-    do {                                                                                                        \
-        if (!(condition))                                                                                       \
-            ::lightsweep::detail::check_failed(__FILE__, __LINE__, #condition, ::fmt::format(__VA_ARGS__));      \
+#define CHECK_THAT(condition, ...)                                                                          \
+    do {                                                                                                    \
+        if (!(condition))                                                                                   \
+            ::lightsweep::detail::check_failed(__FILE__, __LINE__, #condition, ::fmt::format(__VA_ARGS__)); \
     } while (false)

@@ -51,7 +51,8 @@ JsonReader JsonReader::from_text(std::string_view text, std::string name) {
             return true;
         };
         reader.document_ = std::make_shared<nlohmann::json>(nlohmann::json::parse(text, callback));
-        if (!duplicate.empty()) throw InputError(name, fmt::format("the key '{}' stands twice in one object", duplicate));
+        if (!duplicate.empty())
+            throw InputError(name, fmt::format("the key '{}' stands twice in one object", duplicate));
     } catch (const nlohmann::json::parse_error& error) {
         std::string what = error.what();
         if (const size_t colon = what.rfind("syntax error"); colon != std::string::npos) what = what.substr(colon);

@@ -16,9 +16,7 @@ class Random {
     /// [low, high)
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
     /// [0, count), for counts below 2^53.
-    uint64_t index(uint64_t count) {
-        return static_cast<uint64_t>(uniform() * static_cast<double>(count));
-    }
+    uint64_t index(uint64_t count) { return static_cast<uint64_t>(uniform() * static_cast<double>(count)); }
 
   private:
     std::mt19937_64 engine_;

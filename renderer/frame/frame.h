@@ -19,9 +19,9 @@ enum class DepthConvention : uint8_t { standard, reversed };
 glm::dmat4 camera_projection(const Camera& camera, int width, int height, DepthConvention convention);
 
 struct DrawCall {
-    uint32_t batch;           ///< index into GpuScene::batches()
+    uint32_t batch;  ///< index into GpuScene::batches()
     uint32_t instance_count;
-    uint32_t first_visible;   ///< offset into Frame::visible_instances
+    uint32_t first_visible;  ///< offset into Frame::visible_instances
 };
 
 /// What was drawn, and what culling left out.
@@ -49,7 +49,8 @@ struct FrameSetup {
     DepthConvention convention = DepthConvention::reversed;
 };
 
-/// Culls instances and lights against the view frustum and makes the lights camera-relative. Reuses the memory of `frame`.
+/// Culls instances and lights against the view frustum and makes the lights camera-relative. Reuses the memory of
+/// `frame`.
 void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame);
 
 /// The frame's data on the GPU; one of these serves every path of a group, refilled each frame.

@@ -35,8 +35,8 @@ shared::InstanceData instance_data(const glm::dmat4& m) {
 
 InstanceBounds bounding_sphere(const Bounds& bounds, const glm::dmat4& m) {
     if (bounds.empty()) return {glm::dvec3(m[3]), 0.0};
-    const double scale = std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
-                                   glm::length(glm::dvec3(m[2]))});
+    const double scale =
+        std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
     return {glm::dvec3(m * glm::dvec4(bounds.center(), 1.0)), 0.5 * glm::length(bounds.size()) * scale};
 }
 
@@ -142,8 +142,7 @@ void GpuScene::bind_material(uint32_t material) const {
     const Material& m = scene_->materials[material];
     const auto bind = [&](bool needed, int unit, int texture, const gl::Texture& otherwise) {
         if (!needed) return;
-        (texture == kNoTexture ? otherwise : textures_[static_cast<size_t>(texture)])
-            .bind(static_cast<unsigned>(unit));
+        (texture == kNoTexture ? otherwise : textures_[static_cast<size_t>(texture)]).bind(static_cast<unsigned>(unit));
     };
     bind(needs_.base_color_textures, shared::kBaseColorUnit, m.base_color_texture, white_);
     bind(needs_.metallic_roughness_textures, shared::kMetallicRoughnessUnit, m.metallic_roughness_texture, white_);

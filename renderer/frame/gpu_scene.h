@@ -18,8 +18,8 @@ struct Batch {
     uint32_t index_count = 0;
     uint32_t material = 0;
     bool double_sided = false;
-    bool mirrored = false;              ///< the transform turns triangles inside out
-    std::vector<uint32_t> instances;    ///< in scene order
+    bool mirrored = false;            ///< the transform turns triangles inside out
+    std::vector<uint32_t> instances;  ///< in scene order
 };
 
 /// A bounding sphere per instance, in world space.

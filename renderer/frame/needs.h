@@ -13,9 +13,9 @@ namespace lightsweep {
 
 struct SceneNeeds {
     std::array<bool, kShadingModelCount> models{};  ///< which ShadingModels occur
-    bool roughness = false;  ///< a model with a specular lobe occurs
-    bool metallic = false;   ///< some GGX material is metallic
-    bool specular = false;   ///< some Blinn-Phong material has a specular colour
+    bool roughness = false;                         ///< a model with a specular lobe occurs
+    bool metallic = false;                          ///< some GGX material is metallic
+    bool specular = false;                          ///< some Blinn-Phong material has a specular colour
     bool emissive = false;
     bool base_color_textures = false;
     bool metallic_roughness_textures = false;

@@ -51,7 +51,8 @@ Encoding load_encoding(const std::string& key) {
         if (name == "channels") {
             for (const auto& word : words(value)) {
                 const auto found = std::find(kChannelNames.begin(), kChannelNames.end(), word);
-                if (found == kChannelNames.end()) throw InputError(file.string(), unknown_name("channel", word, kChannelNames));
+                if (found == kChannelNames.end())
+                    throw InputError(file.string(), unknown_name("channel", word, kChannelNames));
                 encoding.channels.push_back(static_cast<Channel>(found - kChannelNames.begin()));
             }
         }
@@ -64,8 +65,9 @@ Encoding load_encoding(const std::string& key) {
     }
     const bool bits = std::count(encoding.channels.begin(), encoding.channels.end(), Channel::bits) > 0;
     if (encoding.fields.empty() || encoding.channels.empty() || encoding.channels.size() > (bits ? 1 : 4)) {
-        throw InputError(file.string(), "its first lines must say '// fields: ...' and '// channels: ...' (1 to 4 of "
-                                        "unsigned, signed, float; or bits alone)");
+        throw InputError(file.string(),
+                         "its first lines must say '// fields: ...' and '// channels: ...' (1 to 4 of "
+                         "unsigned, signed, float; or bits alone)");
     }
     return encoding;
 }

@@ -14,7 +14,7 @@ namespace lightsweep {
 enum class Field : uint8_t { position, normal, base_color, roughness, metallic, specular, emissive, model };
 
 struct FieldInfo {
-    std::string_view name;       ///< in layout files, and the member of Surface
+    std::string_view name;  ///< in layout files, and the member of Surface
     std::string_view glsl_type;
     std::string_view otherwise;  ///< GLSL value where the scene does not need the field
     bool (*needed)(const SceneNeeds&);

@@ -92,13 +92,13 @@ LayoutTarget read_target(const JsonReader& json, std::map<Field, std::string>& w
         StoredField stored{field, load_encoding(encoding_json.string()), parse_slots(item.at("in"))};
         const auto& carries = stored.encoding.fields;
         if (std::find(carries.begin(), carries.end(), info(field).name) == carries.end()) {
-            encoding_json.fail(fmt::format("encoding '{}' cannot carry the field '{}'", stored.encoding.key, info(field).name));
+            encoding_json.fail(
+                fmt::format("encoding '{}' cannot carry the field '{}'", stored.encoding.key, info(field).name));
         }
         check_slots(item.at("in"), format, stored);
         for (const Slot& slot : stored.slots) {
-            const uint32_t mask = slot.bit_count == 0 || slot.bit_count == 32
-                                      ? ~0U
-                                      : ((1U << slot.bit_count) - 1U) << slot.low_bit;
+            const uint32_t mask =
+                slot.bit_count == 0 || slot.bit_count == 32 ? ~0U : ((1U << slot.bit_count) - 1U) << slot.low_bit;
             if ((used[slot.component] & mask) != 0) item.at("in").fail("this place is taken by another field");
             used[slot.component] |= mask;
         }
@@ -155,7 +155,8 @@ Layout drop_unneeded(const Layout& layout, const SceneNeeds& needs) {
     for (size_t i = 0; i < field_names().size(); ++i) {
         const auto field = static_cast<Field>(i);
         if (field != Field::position && info(field).needed(needs) && !layout.stores(field)) {
-            throw InputError(fmt::format("layout '{}' does not store '{}', which this scene needs", layout.key, info(field).name));
+            throw InputError(
+                fmt::format("layout '{}' does not store '{}', which this scene needs", layout.key, info(field).name));
         }
     }
     Layout result = layout;

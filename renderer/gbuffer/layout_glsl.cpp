@@ -31,14 +31,18 @@ std::string write_channel(const LayoutTarget& target, const StoredField& stored,
         return shifted ? fmt::format("{} * 0.5 + 0.5", value) : value;
     }
     switch (kind) {
-        case Channel::bits: return fmt::format("({} & {}u) << {}", value, highest(slot.bit_count), slot.low_bit);
+        case Channel::bits:
+            return fmt::format("({} & {}u) << {}", value, highest(slot.bit_count), slot.low_bit);
         case Channel::unsigned_unit:
-            return fmt::format("uint(round(clamp({}, 0.0, 1.0) * {}.0)) << {}", value, highest(slot.bit_count), slot.low_bit);
+            return fmt::format("uint(round(clamp({}, 0.0, 1.0) * {}.0)) << {}", value, highest(slot.bit_count),
+                               slot.low_bit);
         case Channel::signed_unit: {
             const uint32_t half = highest(slot.bit_count - 1);
-            return fmt::format("uint(int(round(clamp({}, -1.0, 1.0) * {}.0)) + {}) << {}", value, half, half, slot.low_bit);
+            return fmt::format("uint(int(round(clamp({}, -1.0, 1.0) * {}.0)) + {}) << {}", value, half, half,
+                               slot.low_bit);
         }
-        case Channel::real: break;
+        case Channel::real:
+            break;
     }
     CHECK_THAT(false, "a float channel in an integer target: load_layout refuses it");
     return {};
@@ -54,13 +58,16 @@ std::string read_channel(const LayoutTarget& target, size_t target_index, const 
     }
     const std::string bits = fmt::format("(({} >> {}) & {}u)", texel, slot.low_bit, highest(slot.bit_count));
     switch (kind) {
-        case Channel::bits: return bits;
-        case Channel::unsigned_unit: return fmt::format("(float({}) / {}.0)", bits, highest(slot.bit_count));
+        case Channel::bits:
+            return bits;
+        case Channel::unsigned_unit:
+            return fmt::format("(float({}) / {}.0)", bits, highest(slot.bit_count));
         case Channel::signed_unit: {
             const uint32_t half = highest(slot.bit_count - 1);
             return fmt::format("(float(int({}) - {}) / {}.0)", bits, half, half);
         }
-        case Channel::real: break;
+        case Channel::real:
+            break;
     }
     CHECK_THAT(false, "a float channel in an integer target: load_layout refuses it");
     return {};
@@ -93,8 +100,9 @@ std::string read_function(const Layout& layout) {
     for (size_t t = 0; t < layout.targets.size(); ++t) {
         const LayoutTarget& target = layout.targets[t];
         const bool integer = is_integer(target);
-        in += fmt::format("layout(binding = {}) uniform {} gbuffer_{};  // {}\n", shared::kTargetUnit + static_cast<int>(t),
-                          integer ? "usampler2D" : "sampler2D", t, target.name);
+        in += fmt::format("layout(binding = {}) uniform {} gbuffer_{};  // {}\n",
+                          shared::kTargetUnit + static_cast<int>(t), integer ? "usampler2D" : "sampler2D", t,
+                          target.name);
         body += fmt::format("    {} texel_{} = texelFetch(gbuffer_{}, ivec2(frag_coord), 0);\n",
                             integer ? "uvec4" : "vec4", t, t);
         for (const auto& stored : target.fields) {
@@ -110,17 +118,18 @@ std::string read_function(const Layout& layout) {
     for (size_t i = 0; i < field_names().size(); ++i) {
         const auto field = static_cast<Field>(i);
         if (stored_fields.contains(field)) continue;
-        body += field == Field::position
-                    ? std::string("    s.position = position_from_depth(frag_coord, depth);\n")
-                    : fmt::format("    s.{} = {};\n", info(field).name, info(field).otherwise);
+        body += field == Field::position ? std::string("    s.position = position_from_depth(frag_coord, depth);\n")
+                                         : fmt::format("    s.{} = {};\n", info(field).name, info(field).otherwise);
     }
-    return in + "\nSurface read_surface(vec2 frag_coord, float depth) {\n    Surface s;\n" + body + "    return s;\n}\n";
+    return in + "\nSurface read_surface(vec2 frag_coord, float depth) {\n    Surface s;\n" + body +
+           "    return s;\n}\n";
 }
 
 }  // namespace
 
 std::string layout_glsl(const Layout& layout) {
-    std::string text = "// Made from the layout '" + layout.key + "'.\n#include \"lib/frame.glsl\"\n#include \"lib/surface.glsl\"\n";
+    std::string text =
+        "// Made from the layout '" + layout.key + "'.\n#include \"lib/frame.glsl\"\n#include \"lib/surface.glsl\"\n";
     std::set<std::string> included;
     for (const auto& target : layout.targets) {
         for (const auto& stored : target.fields) {

@@ -16,7 +16,8 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
     int limit = 0;
     glGetIntegerv(GL_MAX_DRAW_BUFFERS, &limit);
     if (static_cast<int>(colors.size()) > limit) {
-        throw EnvironmentError(fmt::format("{} needs {} colour targets; this device has {}", label, colors.size(), limit));
+        throw EnvironmentError(
+            fmt::format("{} needs {} colour targets; this device has {}", label, colors.size(), limit));
     }
     unsigned id = 0;
     glCreateFramebuffers(1, &id);
@@ -36,7 +37,8 @@ Framebuffer::Framebuffer(std::span<const Texture* const> colors, const Texture* 
     width_ = any->width();
     height_ = any->height();
     glObjectLabel(GL_FRAMEBUFFER, id, -1, label.c_str());
-    if (const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
+    if (const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
+        status != GL_FRAMEBUFFER_COMPLETE) {
         std::string formats;
         for (const Texture* color : colors) formats += fmt::format(" {}", info(color->format()).name);
         if (depth != nullptr) formats += fmt::format(" {}", info(depth->format()).name);

@@ -14,7 +14,7 @@ void delete_program(unsigned id);
 }
 
 struct ProgramDesc {
-    std::string vertex{}, fragment{};                  ///< file names below shaders/; or
+    std::string vertex{}, fragment{};                ///< file names below shaders/; or
     std::string compute{};                           ///< this one alone
     std::vector<std::string> defines{};              ///< "NAME" or "NAME value"
     std::map<std::string, std::string> generated{};  ///< text for `#include "generated/..."`

@@ -7,8 +7,7 @@
 namespace lightsweep::gl {
 namespace {
 
-constexpr GLenum kCompare[] = {GL_NEVER,   GL_LESS,   GL_LEQUAL,   GL_EQUAL,
-                               GL_GREATER, GL_GEQUAL, GL_NOTEQUAL, GL_ALWAYS};
+constexpr GLenum kCompare[] = {GL_NEVER, GL_LESS, GL_LEQUAL, GL_EQUAL, GL_GREATER, GL_GEQUAL, GL_NOTEQUAL, GL_ALWAYS};
 constexpr GLenum kStencilOp[] = {GL_KEEP, GL_ZERO, GL_INCR_WRAP, GL_DECR_WRAP};
 
 std::optional<RasterState> current;
@@ -30,11 +29,16 @@ void set_stencil(GLenum face, const StencilFace& s) {
 
 Compare reversed(Compare compare) {
     switch (compare) {
-        case Compare::less: return Compare::greater;
-        case Compare::less_equal: return Compare::greater_equal;
-        case Compare::greater: return Compare::less;
-        case Compare::greater_equal: return Compare::less_equal;
-        default: return compare;
+        case Compare::less:
+            return Compare::greater;
+        case Compare::less_equal:
+            return Compare::greater_equal;
+        case Compare::greater:
+            return Compare::less;
+        case Compare::greater_equal:
+            return Compare::less_equal;
+        default:
+            return compare;
     }
 }
 

@@ -108,7 +108,6 @@ uint64_t CompiledPath::covered_pixels() const {
 }
 
 uint64_t CompiledPath::count_light_evaluations(const DrawInput& input) const {
-    const gl::SamplesQuery query;
     const auto& data = input.frame.data;
     uint64_t evaluations = 0;
     for (size_t i = 0; i < path_.passes.size(); ++i) {
@@ -116,15 +115,24 @@ uint64_t CompiledPath::count_light_evaluations(const DrawInput& input) const {
         bind_and_load(i, input.frame);
         bind_inputs(i, input);
         Recorder recorder(input, compiled_[i].stages);
-        if (pass.shades != Shades::nothing) recorder.count_samples(query);
+        if (pass.shades != Shades::nothing) recorder.count_samples();
         recorder.use_stage(0);
         pass.record(recorder);
         switch (pass.shades) {
-            case Shades::nothing: break;
-            case Shades::all_lights: evaluations += recorder.samples() * data.light_count; break;
-            case Shades::all_lights_of_covered: evaluations += covered_pixels() * data.light_count; break;
-            case Shades::directional_of_covered: evaluations += covered_pixels() * data.directional_count; break;
-            case Shades::one_light: evaluations += recorder.samples(); break;
+            case Shades::nothing:
+                break;
+            case Shades::all_lights:
+                evaluations += recorder.samples() * data.light_count;
+                break;
+            case Shades::all_lights_of_covered:
+                evaluations += covered_pixels() * data.light_count;
+                break;
+            case Shades::directional_of_covered:
+                evaluations += covered_pixels() * data.directional_count;
+                break;
+            case Shades::one_light:
+                evaluations += recorder.samples();
+                break;
         }
     }
     return evaluations;

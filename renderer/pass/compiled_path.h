@@ -3,7 +3,6 @@
 #pragma once
 
 #include "renderer/gl/framebuffer.h"
-#include "renderer/gl/query.h"
 #include "renderer/gl/texture.h"
 #include "renderer/pass/pass_timer.h"
 #include "renderer/pass/path.h"

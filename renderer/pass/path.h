@@ -37,7 +37,7 @@ struct Write {
 };
 
 struct Shader {
-    std::string vertex{}, fragment{};      ///< below shaders/, without `.vert.glsl` and `.frag.glsl`
+    std::string vertex{}, fragment{};    ///< below shaders/, without `.vert.glsl` and `.frag.glsl`
     std::vector<std::string> defines{};  ///< besides those of the scene's needs
 };
 
@@ -47,7 +47,7 @@ enum class Shades : uint8_t {
     all_lights,             ///< per fragment that passes its tests
     all_lights_of_covered,  ///< per pixel that a surface covers (full-screen passes)
     directional_of_covered,
-    one_light,              ///< per fragment of the pass's last stage
+    one_light,  ///< per fragment of the pass's last stage
 };
 
 /// A shader with its state; a pass has one, or several that its `record` switches between.
@@ -57,7 +57,7 @@ struct Stage {
 };
 
 struct Pass {
-    std::string name{};           ///< the key of its time in the report
+    std::string name{};  ///< the key of its time in the report
     Shader shader{};
     std::vector<TargetId> reads{};  ///< texture units kTargetUnit + i
     std::vector<Write> writes{};    ///< colour targets in the order of the shader's outputs; a depth target anywhere
@@ -85,7 +85,7 @@ struct Path {
 /// What a path is built from.
 struct PathSetup {
     SceneNeeds needs;
-    Layout layout;        ///< what is left after drop_unneeded; paths without a layout use its depth alone
+    Layout layout;  ///< what is left after drop_unneeded; paths without a layout use its depth alone
     gl::Format hdr = gl::Format::RGBA16F;
 };
 

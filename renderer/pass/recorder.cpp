@@ -21,10 +21,21 @@ struct SphereMesh {
 // An icosphere whose flat faces touch the unit sphere from outside: every point of the sphere is inside the mesh.
 SphereMesh make_enclosing_sphere(int subdivisions) {
     const float t = (1.0F + std::sqrt(5.0F)) / 2.0F;
-    SphereMesh mesh{{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t},
-                     {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}},
-                    {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8,
-                     3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1}};
+    SphereMesh mesh{
+        {{-1, t, 0},
+         {1, t, 0},
+         {-1, -t, 0},
+         {1, -t, 0},
+         {0, -1, t},
+         {0, 1, t},
+         {0, -1, -t},
+         {0, 1, -t},
+         {t, 0, -1},
+         {t, 0, 1},
+         {-t, 0, -1},
+         {-t, 0, 1}},
+        {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4,  11, 10, 2,  10, 7, 6, 7, 1, 8,
+         3, 9,  4, 3, 4, 2, 3, 2, 6, 3, 6, 8,  3, 8,  9,  4, 9, 5, 2, 4,  11, 6,  2,  10, 8,  6, 7, 9, 8, 1}};
     for (auto& v : mesh.vertices) v = glm::normalize(v);
     for (int s = 0; s < subdivisions; ++s) {
         std::map<std::pair<uint32_t, uint32_t>, uint32_t> midpoints;
@@ -85,14 +96,20 @@ void Recorder::use_stage(size_t index) {
 
 template <class Draw>
 void Recorder::counted(Draw draw) {
-    if (query_ == nullptr || stage_ + 1 != stages_.size()) {
+    if (!counting_ || stage_ + 1 != stages_.size()) {
         draw();
         return;
     }
-    query_->begin();
+    queries_.emplace_back();
+    queries_.back().begin();
     draw();
-    query_->end();
-    samples_ += query_->wait_count();
+    queries_.back().end();
+}
+
+uint64_t Recorder::samples() const {
+    uint64_t sum = 0;
+    for (const auto& query : queries_) sum += query.wait_count();
+    return sum;
 }
 
 void Recorder::draw_visible_meshes() {

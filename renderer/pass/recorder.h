@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace lightsweep {
 
@@ -41,9 +42,10 @@ struct CompiledStage {
 class Recorder {
   public:
     Recorder(const DrawInput& input, std::span<const CompiledStage> stages) : input_(input), stages_(stages) {}
-    /// From here on, counts the fragments that pass in draws of the last stage. Waits for each: never while measuring.
-    void count_samples(const gl::SamplesQuery& query) { query_ = &query; }
-    uint64_t samples() const { return samples_; }
+    /// From here on, counts the fragments that pass in draws of the last stage. Never while measuring.
+    void count_samples() { counting_ = true; }
+    /// Waits for the counts.
+    uint64_t samples() const;
 
     const Frame& frame() const { return input_.frame; }
     void use_stage(size_t index);
@@ -61,8 +63,8 @@ class Recorder {
     const DrawInput& input_;
     std::span<const CompiledStage> stages_;
     size_t stage_ = 0;
-    const gl::SamplesQuery* query_ = nullptr;
-    uint64_t samples_ = 0;
+    bool counting_ = false;
+    std::vector<gl::SamplesQuery> queries_;
 };
 
 /// The usual `record`s.

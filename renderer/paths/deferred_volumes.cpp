@@ -1,6 +1,6 @@
-// Deferred with light volumes: each point or spot light shades only the pixels whose surface is inside its sphere, found
-// with the stencil (depth-fail counting, right when the camera is inside the sphere too). What no sphere bounds is
-// shaded full-screen first.
+// Deferred with light volumes: each point or spot light shades only the pixels whose surface is inside its sphere,
+// found with the stencil (depth-fail counting, right when the camera is inside the sphere too). What no sphere bounds
+// is shaded full-screen first.
 #include "renderer/pass/path.h"
 #include "renderer/pass/recorder.h"
 
@@ -9,8 +9,8 @@ namespace {
 
 enum : size_t { kMark, kShade };
 
-// A surface inside the sphere lies between its front and back faces: the back faces fail the depth test there, the front
-// faces do not. Counted on the sphere clamped to the depth range, so that neither near nor far plane opens it.
+// A surface inside the sphere lies between its front and back faces: the back faces fail the depth test there, the
+// front faces do not. Counted on the sphere clamped to the depth range, so that neither near nor far plane opens it.
 gl::RasterState mark_state(DepthConvention convention) {
     gl::RasterState state{.depth_test = true, .depth_clamp = true, .color_write = false, .stencil_test = true};
     state.depth_compare = convention == DepthConvention::reversed ? gl::Compare::greater : gl::Compare::less;
@@ -21,8 +21,7 @@ gl::RasterState mark_state(DepthConvention convention) {
 
 // The sphere's back faces cover the marked pixels wherever the camera is; each mark is wiped as it is shaded.
 gl::RasterState shade_state() {
-    gl::RasterState state{
-        .depth_clamp = true, .cull = gl::Cull::front, .blend = gl::Blend::add, .stencil_test = true};
+    gl::RasterState state{.depth_clamp = true, .cull = gl::Cull::front, .blend = gl::Blend::add, .stencil_test = true};
     state.stencil_back = {.compare = gl::Compare::not_equal, .pass = gl::StencilOp::zero};
     state.stencil_front = state.stencil_back;
     return state;
@@ -57,7 +56,8 @@ Path build(const PathSetup& s) {
          .writes = {{path.hdr, Load::discard}},
          .record = draw_full_screen,
          .shades = Shades::directional_of_covered},
-        // Reads the depth that is attached: allowed in practice because no draw of this pass writes depth, only stencil.
+        // Reads the depth that is attached: allowed in practice because no draw of this pass writes depth, only
+        // stencil.
         {.name = "lights",
          .shader = {"paths/light_volume", "paths/light_volume_mark"},
          .reads = join(targets, path.depth),

@@ -1,5 +1,5 @@
-// The table of effects after shading. To add one: write <name>.cpp beside this, its shader in shaders/post/, and put its
-// row into post.cpp.
+// The table of effects after shading. To add one: write <name>.cpp beside this, its shader in shaders/post/, and put
+// its row into post.cpp.
 #pragma once
 
 #include "renderer/pass/path.h"

@@ -65,28 +65,27 @@ Grid read_grid(const JsonReader& json) {
     return grid;
 }
 
-// Where each copy of an instance stands.
-struct Placement3d {
+// How each copy of an instance stands in its cell of the grid.
+struct Pose {
     glm::dvec3 translate{0.0};
     glm::dmat4 rotate{1.0};
     glm::dvec3 scale{1.0};
 };
 
-Placement3d read_placement(const JsonReader& json) {
-    Placement3d placement;
-    placement.translate = read_vec3_or(json, "translate", placement.translate, -kLargestLength, kLargestLength);
+Pose read_pose(const JsonReader& json) {
+    Pose pose;
+    pose.translate = read_vec3_or(json, "translate", pose.translate, -kLargestLength, kLargestLength);
     const glm::dvec3 angles = glm::radians(read_vec3_or(json, "rotate_deg", glm::dvec3(0.0), -360.0, 360.0));
     for (const int axis : {2, 1, 0}) {  // about x first, then y, then z
         glm::dvec3 about(0.0);
         about[axis] = 1.0;
-        placement.rotate = glm::rotate(placement.rotate, angles[axis], about);
+        pose.rotate = glm::rotate(pose.rotate, angles[axis], about);
     }
     if (const auto scale = json.find("scale")) {
-        placement.scale =
-            scale->value().is_array() ? read_vec3(*scale, -1e6, 1e6) : glm::dvec3(scale->number(-1e6, 1e6));
-        if (glm::any(glm::lessThan(glm::abs(placement.scale), glm::dvec3(1e-9)))) scale->fail("0 would flatten it");
+        pose.scale = scale->value().is_array() ? read_vec3(*scale, -1e6, 1e6) : glm::dvec3(scale->number(-1e6, 1e6));
+        if (glm::any(glm::lessThan(glm::abs(pose.scale), glm::dvec3(1e-9)))) scale->fail("0 would flatten it");
     }
-    return placement;
+    return pose;
 }
 
 class InstanceReader {
@@ -102,47 +101,52 @@ class InstanceReader {
         } else {
             json.allow_keys({"shape", "material", "translate", "rotate_deg", "scale", "fit_height", "grid"});
         }
-        const Placement3d placement = read_placement(json);
-        Grid grid;
-        if (const auto member = json.find("grid")) grid = read_grid(*member);
+        const Pose pose = read_pose(json);
+        const auto member = json.find("grid");
+        const Grid grid = member ? read_grid(*member) : Grid{};
         if (is_gltf) {
-            if (grid.roughness.given || grid.metallic.given) {
-                json.at("grid").at("vary").fail("materials of a glTF file cannot be varied");
-            }
-            const GltfModel& model = gltf(json.at("gltf"));
-            const glm::dmat4 fit = fit_transform(json, model.bounds);
-            place(grid, placement, [&](const glm::ivec3&, const glm::dmat4& transform) {
-                for (const Instance& part : model.parts) {
-                    scene_.instances.push_back({part.mesh, transform * fit * part.transform});
-                }
-            });
+            read_gltf(json, pose, grid);
         } else {
-            const auto [shape_name, shape] = named(json.at("shape"), "shape", shapes_);
-            const auto [material_name, material] = named(json.at("material"), "material", materials_);
-            if ((grid.roughness.given && material->model == ShadingModel::lambert) ||
-                (grid.metallic.given && material->model != ShadingModel::ggx)) {
-                json.at("grid").at("vary").fail(fmt::format("the material '{}' has no such parameter", material_name));
-            }
-            const Mesh mesh = shape_mesh(shape_name, *shape, json.where());
-            const glm::dmat4 fit = fit_transform(json, mesh.bounds);
-            place(
-                grid, placement,
-                [&, this, &name = shape_name, &source = *material](const glm::ivec3& at, const glm::dmat4& transform) {
-                    const uint32_t index = material_index(varied(source, grid, at));
-                    scene_.instances.push_back({mesh_index(name, mesh, index), transform * fit});
-                });
+            read_shape(json, pose, grid);
         }
     }
 
   private:
-    // The element of `all` that `json` names.
+    void read_gltf(const JsonReader& json, const Pose& pose, const Grid& grid) {
+        if (grid.roughness.given || grid.metallic.given) {
+            json.at("grid").at("vary").fail("materials of a glTF file cannot be varied");
+        }
+        const GltfModel& model = gltf(json.at("gltf"));
+        const glm::dmat4 fit = fit_transform(json, model.bounds);
+        place(grid, pose, [&](const glm::ivec3&, const glm::dmat4& transform) {
+            for (const Instance& part : model.parts) {
+                scene_.instances.push_back({part.mesh, transform * fit * part.transform});
+            }
+        });
+    }
+
+    void read_shape(const JsonReader& json, const Pose& pose, const Grid& grid) {
+        const std::string& shape = named(json.at("shape"), "shape", shapes_);
+        const Material& material = materials_.at(named(json.at("material"), "material", materials_));
+        if ((grid.roughness.given && material.model == ShadingModel::lambert) ||
+            (grid.metallic.given && material.model != ShadingModel::ggx)) {
+            json.at("grid").at("vary").fail(fmt::format("the material '{}' has no such parameter", material.name));
+        }
+        const Mesh& mesh = shape_mesh(shape, json.where());
+        const glm::dmat4 fit = fit_transform(json, mesh.bounds);
+        place(grid, pose, [&](const glm::ivec3& at, const glm::dmat4& transform) {
+            const uint32_t index = mesh_index(shape, mesh, material_index(varied(material, grid, at)));
+            scene_.instances.push_back({index, transform * fit});
+        });
+    }
+
+    // The key of `all` that `json` names.
     template <typename T>
-    static std::pair<std::string, const T*> named(const JsonReader& json, std::string_view what,
-                                                  const std::map<std::string, T>& all) {
+    static const std::string& named(const JsonReader& json, std::string_view what,
+                                    const std::map<std::string, T>& all) {
         std::vector<std::string> names;
         for (const auto& [name, ignored] : all) names.push_back(name);
-        const std::string& name = names.at(json.choice(what, names));
-        return {name, &all.at(name)};
+        return all.find(names.at(json.choice(what, names)))->first;
     }
 
     // The glTF file that `json` names, read once.
@@ -166,20 +170,20 @@ class InstanceReader {
     }
 
     // Calls add(cell, transform) for every copy: x fastest, z slowest.
-    static void place(const Grid& grid, const Placement3d& placement, const auto& add) {
+    static void place(const Grid& grid, const Pose& pose, const auto& add) {
         uint64_t copy = 0;
         for (int z = 0; z < grid.count.z; ++z) {
             for (int y = 0; y < grid.count.y; ++y) {
                 for (int x = 0; x < grid.count.x; ++x, ++copy) {
                     const glm::ivec3 at(x, y, z);
-                    const glm::dvec3 position = placement.translate + grid.origin + grid.spacing * glm::dvec3(at);
-                    glm::dmat4 transform = glm::translate(glm::dmat4(1.0), position) * placement.rotate;
+                    const glm::dvec3 position = pose.translate + grid.origin + grid.spacing * glm::dvec3(at);
+                    glm::dmat4 transform = glm::translate(glm::dmat4(1.0), position) * pose.rotate;
                     if (grid.turn_seed) {
                         const std::array<uint64_t, 2> words{*grid.turn_seed, copy};
                         Random random(hash_bytes({reinterpret_cast<const char*>(words.data()), sizeof words}));
                         transform = glm::rotate(transform, glm::radians(random.uniform(0.0, 360.0)), {0.0, 1.0, 0.0});
                     }
-                    add(at, glm::scale(transform, placement.scale));
+                    add(at, glm::scale(transform, pose.scale));
                 }
             }
         }
@@ -205,9 +209,9 @@ class InstanceReader {
     }
 
     // The shape's geometry is appended once; each material that it is drawn with makes a mesh of the same triangles.
-    Mesh shape_mesh(const std::string& name, const Geometry& geometry, const std::string& place) {
+    const Mesh& shape_mesh(const std::string& name, const std::string& place) {
         const auto [found, is_new] = shape_meshes_.try_emplace(name);
-        if (is_new) found->second = append_geometry(scene_, geometry, name, place);
+        if (is_new) found->second = append_geometry(scene_, shapes_.at(name), name, place);
         return found->second;
     }
 

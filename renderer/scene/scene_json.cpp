@@ -7,7 +7,7 @@
 namespace lightsweep {
 namespace {
 
-// A direction or camera that has none is refused: it would become NaN much later.
+// A camera without a direction is refused: it would become NaN much later.
 Camera read_camera(const JsonReader& json) {
     json.allow_keys({"eye", "target", "up", "fov_y_deg", "near", "far"});
     Camera camera;

@@ -6,80 +6,68 @@ from . import report as data
 from . import style
 
 BASELINE = "forward"
-BAND_ALPHA = 0.18
-
-
-def _series(points):
-    """Points (lights, middle, low, high) as columns by rising light count; an open end of an interval shows no band."""
-    points = sorted(points, key=lambda point: point[0])
-    lights, middle = [p[0] for p in points], [p[1] for p in points]
-    low = [p[1] if p[2] is None else p[2] for p in points]
-    high = [p[1] if p[3] is None else p[3] for p in points]
-    return lights, middle, low, high
+BAND_ALPHA = 0.16
+STATEMENT_LETTERS = 76
 
 
 def _draw(axes, points, arm, styles, label):
-    lights, middle, low, high = _series(points)
+    """`points`: (lights, middle, low, high), by rising light count."""
+    lights, middle, low, high = zip(*points)
     axes.fill_between(lights, low, high, color=styles.color(arm), alpha=BAND_ALPHA, linewidth=0)
-    return axes.plot(lights, middle, label=label, **styles.line(arm))[0]
+    axes.plot(lights, middle, label=label, **styles.line(arm))
 
 
-def _ends(all_points):
-    """The smallest and the largest number that the series show."""
-    values = [v for points in all_points for column in _series(points)[1:] for v in column]
+def _ends(series):
+    values = [value for points in series.values() for point in points for value in point[1:]]
     return min(values), max(values)
 
 
-def _wide_enough(cells):
-    return len({cell["params"]["lights"] for cell in cells}) > 1
+def _times(cells):
+    """{arm: points} of the arms measured at two light counts or more."""
+    series = {}
+    for cell in sorted(cells, key=lambda cell: cell["params"]["lights"]):
+        point = (cell["params"]["lights"], *data.estimate_ms(cell["statistics"]["wall_ns"]))
+        series.setdefault(data.arm_of(cell["params"]), []).append(point)
+    return {arm: points for arm, points in series.items() if len(points) > 1}
 
 
-def _time_panel(axes, cells, styles, names):
-    points = {}
-    for cell in cells:
-        wall = cell["statistics"]["wall_ns"]
-        scaled = [None if wall[key] is None else wall[key] / style.NS_PER_MS for key in ("median", "low", "high")]
-        points.setdefault(data.arm_of(cell["params"]), []).append((cell["params"]["lights"], *scaled))
-    for arm, arm_points in points.items():
-        _draw(axes, arm_points, arm, styles, names[arm])
-    style.light_axis(axes, [cell["params"]["lights"] for cell in cells])
-    style.log_axis(axes.yaxis, *_ends(points.values()))
-    axes.set_ylabel("time per frame (ms)")
-
-
-def draw_time(report, scene, cells):
+def draw_time(report, scene, cells, paths):
     """A figure, or why there is none."""
-    shown = {panel: group for panel, group in data.panels(cells).items() if _wide_enough(group)}
+    shown = {panel: series for panel, group in data.panels(cells).items() if (series := _times(group))}
     if not shown:
-        return None, "one light count only"
-    arms = [data.arm_of(cell["params"]) for group in shown.values() for cell in group]
-    styles, names = style.ArmStyles(arms), data.arm_names(arms)
-    figure, panels = style.panel_grid(len(shown), 4.2, 3.8, f"{data.name_of(scene)}: time over the number of lights")
-    for axes, (panel, group) in zip(panels, shown.items()):
-        _time_panel(axes, group, styles, names)
+        return None, "no arm was measured at two light counts"
+    arms = [arm for series in shown.values() for arm in series]
+    styles, names = style.ArmStyles(paths, arms), data.arm_names(arms)
+    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time over the number of lights", len(shown), 4.2, 3.8)
+    for axes, (panel, series) in zip(panels, shown.items()):
+        for arm, points in series.items():
+            _draw(axes, points, arm, styles, names[arm])
+        style.light_axis(axes, [point[0] for points in series.values() for point in points])
+        style.log_axis(axes.yaxis, *_ends(series))
+        axes.set_ylabel("time per frame (ms)")
         axes.set_title(panel.title)
-    # One legend for all panels: the panel with the most arms has them all, as the arms of a sweep are a product.
-    fullest = max(panels, key=lambda axes: len(axes.get_lines()))
-    panels[-1].legend(*fullest.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(1.02, 1))
+    # One legend for all panels.
+    handles = {label: handle for axes in panels for handle, label in zip(*axes.get_legend_handles_labels())}
+    panels[-1].legend(handles.values(), handles.keys(), loc="upper left", bbox_to_anchor=(1.02, 1))
     return figure, None
 
 
 def _ratios(report, cells):
-    """{arm: points} of every pair of an arm with the forward arm of the same HDR format, the arm's time above."""
+    """{arm: points}: each arm's time over that of the forward arm of the same HDR format, from the report's pairs."""
     cell_of = {cell["id"]: cell for cell in cells}
-    points = {}
+    series = {}
     for pair in report["pairs"]:
-        if pair["a"] not in cell_of or pair["b"] not in cell_of or pair["ratio"] is None:
+        a, b = cell_of.get(pair["a"]), cell_of.get(pair["b"])
+        if a is None or b is None or pair["ratio"] is None or a["params"]["hdr"] != b["params"]["hdr"]:
             continue
-        a, b = cell_of[pair["a"]], cell_of[pair["b"]]
-        numbers = (pair["ratio"], pair["low"], pair["high"])
+        numbers = data.filled(pair["ratio"], pair["low"], pair["high"])
         if a["params"]["path"] == BASELINE:
             a, b = b, a
-            numbers = tuple(None if n is None else 1 / n for n in (pair["ratio"], pair["high"], pair["low"]))
-        one_apart = b["params"]["path"] == BASELINE != a["params"]["path"]
-        if one_apart and a["params"]["hdr"] == b["params"]["hdr"]:
-            points.setdefault(data.arm_of(a["params"]), []).append((a["params"]["lights"], *numbers))
-    return {arm: arm_points for arm, arm_points in points.items() if len(arm_points) > 1}
+            middle, low, high = numbers
+            numbers = (1 / middle, 1 / high, 1 / low)
+        if b["params"]["path"] == BASELINE != a["params"]["path"]:
+            series.setdefault(data.arm_of(a["params"]), []).append((a["params"]["lights"], *numbers))
+    return {arm: sorted(points) for arm, points in series.items() if len(points) > 1}
 
 
 def _crossovers(report, scene, panel):
@@ -90,48 +78,51 @@ def _crossovers(report, scene, panel):
 
 def _statement(name, crossover):
     if crossover is None:
-        return f"{name}: no crossover worked out"
-    if crossover["lights"] is None:
-        return f"{name}: no crossover: {crossover['reason']}"
-    low, high = ("open" if crossover[end] is None else f"{crossover[end]:.3g}" for end in ("low", "high"))
-    return f"{name}: meets forward at {crossover['lights']:.3g} lights, interval {low} to {high}"
+        text = f"{name}: no crossover was worked out"
+    elif crossover["lights"] is None:
+        text = f"{name}: no crossover: {crossover['reason']}"
+    else:
+        low, high = ("open" if crossover[end] is None else f"{crossover[end]:.3g}" for end in ("low", "high"))
+        text = f"{name}: crossover at {crossover['lights']:.3g} lights [{low}, {high}]"
+    return textwrap.fill(text, STATEMENT_LETTERS, subsequent_indent="    ")
 
 
 def _mark(axes, crossover, color, counts):
+    """The crossover on the line at 1: its interval as a bar, as far as was measured where it is open."""
     low = min(counts) if crossover["low"] is None else crossover["low"]
     high = max(counts) if crossover["high"] is None else crossover["high"]
     axes.plot([low, high], [1, 1], color=color, linewidth=5, alpha=0.35, solid_capstyle="butt", zorder=3)
-    axes.axvline(crossover["lights"], color=color, linewidth=0.8, linestyle=(0, (2, 2)), zorder=1)
-    axes.plot([crossover["lights"]], [1], marker="|", markersize=13, markeredgewidth=2, color=color, zorder=4)
+    axes.plot([crossover["lights"]], [1], marker="|", markersize=14, markeredgewidth=2, color=color, zorder=4)
 
 
-def _ratio_panel(axes, ratios, crossovers, styles, names):
-    counts = [point[0] for points in ratios.values() for point in points]
-    axes.axhline(1, color=style.FAINT, linewidth=1)
-    for arm, points in ratios.items():
+def _ratio_panel(axes, series, crossovers, styles, names):
+    counts = [point[0] for points in series.values() for point in points]
+    axes.axhline(1, color=style.FAINT, linewidth=1, label="forward")
+    for arm, points in series.items():
         crossover = crossovers.get(arm)
-        label = textwrap.fill(_statement(names[arm], crossover), 62, subsequent_indent="    ")
-        _draw(axes, points, arm, styles, label)
+        _draw(axes, points, arm, styles, _statement(names[arm], crossover))
         if crossover and crossover["lights"] is not None:
             _mark(axes, crossover, styles.color(arm), counts)
     style.light_axis(axes, counts)
-    low, high = _ends(ratios.values())
+    low, high = _ends(series)
     style.log_axis(axes.yaxis, min(low, 0.95), max(high, 1.05))
     axes.set_ylabel("time / time of forward")
-    axes.legend(loc="upper left", bbox_to_anchor=(-0.1, -0.16), fontsize=7.5, handlelength=3)
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.12, -0.16), fontsize=7.5, handlelength=3)
 
 
-def draw_ratio(report, scene, cells):
+def draw_ratio(report, scene, cells, paths):
     """A figure, or why there is none."""
-    shown = {panel: ratios for panel, group in data.panels(cells).items() if (ratios := _ratios(report, group))}
+    shown = {panel: series for panel, group in data.panels(cells).items() if (series := _ratios(report, group))}
     if not shown:
         return None, "no arm was compared with forward at two light counts"
-    arms = [arm for ratios in shown.values() for arm in ratios]
-    styles, names = style.ArmStyles(arms), data.arm_names(arms)
-    rows = max(len(ratios) for ratios in shown.values())
-    figure, panels = style.panel_grid(len(shown), 5.0, 3.8 + 0.3 * rows,
-                                      f"{data.name_of(scene)}: against forward, over the number of lights")
-    for axes, (panel, ratios) in zip(panels, shown.items()):
-        _ratio_panel(axes, ratios, _crossovers(report, scene, panel), styles, names)
+    arms = [arm for series in shown.values() for arm in series]
+    styles, names = style.ArmStyles(paths, arms), data.arm_names(arms)
+    crossovers = {panel: _crossovers(report, scene, panel) for panel in shown}
+    lines = max(sum(1 + _statement(names[arm], crossovers[panel].get(arm)).count("\n") for arm in series)
+                for panel, series in shown.items())
+    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: against forward, over the number of lights",
+                                      len(shown), 5.4, 4.2 + 0.17 * lines)
+    for axes, (panel, series) in zip(panels, shown.items()):
+        _ratio_panel(axes, series, crossovers[panel], styles, names)
         axes.set_title(f"{panel.title} (below 1: faster than forward)")
     return figure, None

@@ -75,17 +75,30 @@ def scenes(report):
 
 
 def panels(cells):
-    """{panel: its cells}, small pictures first."""
+    """{panel: its cells}, small pictures first. What two groups measured alike (a scene's own regime, and the same one asked
+    for) stands once."""
     by_panel = {}
     for cell in cells:
-        by_panel.setdefault(panel_of(cell["params"]), []).append(cell)
-    return dict(sorted(by_panel.items(), key=lambda item: (item[0].overlap or 0, item[0].width_px * item[0].height_px)))
+        params = cell["params"]
+        by_panel.setdefault(panel_of(params), {}).setdefault((arm_of(params), params["lights"]), cell)
+    order = sorted(by_panel, key=lambda panel: (panel.overlap or 0, panel.width_px * panel.height_px))
+    return {panel: list(by_panel[panel].values()) for panel in order}
 
 
 def most_lights(cells):
     """The cells with the largest light count among `cells`."""
     largest = max(cell["params"]["lights"] for cell in cells)
     return [cell for cell in cells if cell["params"]["lights"] == largest]
+
+
+def filled(middle, low, high):
+    """An estimate whose open ends are closed at its middle, so that they show no interval."""
+    return middle, middle if low is None else low, middle if high is None else high
+
+
+def estimate_ms(estimate_ns):
+    """(median, low, high) of a statistic in ns, in ms."""
+    return tuple(value / 1e6 for value in filled(*(estimate_ns[key] for key in ("median", "low", "high"))))
 
 
 def arm_names(arms):

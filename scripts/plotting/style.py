@@ -1,20 +1,27 @@
 """How every picture looks: colours that the colour-blind can tell apart, each with a marker of its own, and axes."""
 
+import math
+import textwrap
+
 import matplotlib
 
 matplotlib.use("Agg")
 
 from matplotlib import pyplot, ticker  # noqa: E402  (the backend comes first)
 
-# Okabe and Ito, "Color Universal Design", 2008; without yellow, which is too light for lines on white.
-COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
+# Okabe and Ito, "Color Universal Design", 2008. Their yellow is too light for a line on white, their black too heavy for a bar.
+_HUES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
+LINE_COLORS = (*_HUES, "#000000")
+BAR_COLORS = (*_HUES, "#F0E442")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "p", "h")
 LINES = ("-", "--", ":", "-.")
 HATCHES = ("", "///", "...", "\\\\\\", "xx", "++", "--")
 FAINT = "#666666"
-NS_PER_MS = 1e6
+MIN_WIDTH_IN = 6.5
+FOOTER_POINTS = 6.5
 
 matplotlib.rcParams.update({
+    "figure.dpi": 150,
     "font.size": 9,
     "axes.titlesize": 10,
     "axes.grid": True,
@@ -26,41 +33,36 @@ matplotlib.rcParams.update({
     "legend.frameon": False,
     "lines.linewidth": 1.4,
     "lines.markersize": 5,
-    "hatch.linewidth": 0.5,
+    "hatch.linewidth": 0.4,
     # The same report gives the same bytes.
     "svg.hashsalt": "lightsweep",
 })
 
 
 class ArmStyles:
-    """Colour by path, line by layout, and a marker for each arm of its own, the same in every panel."""
+    """Colour by path, line by layout and HDR format, and a marker for each arm. The colours go by `paths`, which all the
+    pictures of a report share; the rest tells the `arms` of one picture apart."""
 
-    def __init__(self, arms):
+    def __init__(self, paths, arms):
         arms = list(dict.fromkeys(arms))
-        paths = list(dict.fromkeys(arm.path for arm in arms))
         variants = list(dict.fromkeys((arm.layout, arm.hdr) for arm in arms if arm.layout))
-        self._color = {path: COLORS[i % len(COLORS)] for i, path in enumerate(paths)}
+        self._color = {path: LINE_COLORS[i % len(LINE_COLORS)] for i, path in enumerate(paths)}
         self._line = {variant: LINES[i % len(LINES)] for i, variant in enumerate(variants)}
         self._marker = {arm: MARKERS[i % len(MARKERS)] for i, arm in enumerate(arms)}
 
     def color(self, arm):
         return self._color[arm.path]
 
+    def marker(self, arm):
+        return self._marker[arm]
+
     def line(self, arm):
         """Keyword arguments for `plot`."""
-        return {"color": self.color(arm), "marker": self._marker[arm],
+        return {"color": self.color(arm), "marker": self.marker(arm),
                 "linestyle": self._line.get((arm.layout, arm.hdr), "-")}
 
 
-def panel_grid(count, width_in, height_in, title):
-    """A figure with `count` axes side by side, as a list."""
-    figure, axes = pyplot.subplots(1, count, figsize=(max(width_in * count, 6.5), height_in), squeeze=False,
-                                   layout="constrained")
-    figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
-    return figure, list(axes.flat)
-
-
-def footer(report):
+def _footer(report):
     """Where the numbers come from: no picture goes without."""
     environment, run = report["environment"], report["run"]
     commit = f" ({run['git_commit'][:10]})" if run["git_commit"] else ""
@@ -71,13 +73,22 @@ def footer(report):
             f"lightsweep {run['version']}{commit}")
 
 
-def save(figure, report, folder, name):
+def panel_grid(report, title, count, width_in, height_in):
+    """A figure with `count` axes side by side, as a list."""
+    width = max(width_in * count, MIN_WIDTH_IN)
+    figure, axes = pyplot.subplots(1, count, figsize=(width, height_in), squeeze=False, layout="constrained")
+    figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
+    letters = int(width * 72 / (0.54 * FOOTER_POINTS))
+    figure.supxlabel(textwrap.fill(_footer(report), letters), fontsize=FOOTER_POINTS, color=FAINT, x=0.01, ha="left")
+    return figure, list(axes.flat)
+
+
+def save(figure, folder, name):
     """Writes NAME.png and NAME.svg and returns their paths."""
-    figure.supxlabel(footer(report), fontsize=6.5, color=FAINT, x=0.01, ha="left")
     files = []
     for kind, metadata in (("png", {}), ("svg", {"Date": None})):
         files.append(folder / f"{name}.{kind}")
-        figure.savefig(files[-1], dpi=150, metadata=metadata)
+        figure.savefig(files[-1], metadata=metadata)
     pyplot.close(figure)
     return files
 
@@ -96,15 +107,23 @@ def light_axis(axes, counts):
     axes.set_xlabel("lights")
 
 
+def _round_ticks(low, high):
+    """Four round numbers or more between two positive ones, as evenly spread over a logarithmic axis as can be."""
+    decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)))
+    for steps in ((1,), (1, 3), (1, 2, 5), (1, 1.5, 2, 3, 5, 7)):
+        ticks = [step * 10.0**decade for decade in decades for step in steps]
+        ticks = [tick for tick in ticks if low <= tick <= high]
+        if len(ticks) >= 4:
+            return ticks
+    ticks = ticker.MaxNLocator(7, steps=(1, 2, 2.5, 5, 10)).tick_values(low, high)
+    return [tick for tick in ticks if low <= tick <= high]
+
+
 def log_axis(axis, low, high):
-    """A logarithmic axis whose ticks are round numbers, for wide and narrow ranges alike."""
-    axis.axes.set(**{f"{axis.axis_name}scale": "log"})
-    low, high = low / 1.06, high * 1.06
-    axis.axes.set(**{f"{axis.axis_name}lim": (low, high)})
-    if high / low > 5:
-        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if high / low < 1e3 else (1,)))
-    else:
-        ticks = ticker.MaxNLocator(5, steps=(1, 2, 2.5, 5, 10)).tick_values(low, high)
-        axis.set_major_locator(ticker.FixedLocator([tick for tick in ticks if low <= tick <= high]))
+    """A logarithmic axis from a little below `low` to a little above `high`, for wide and narrow ranges alike."""
+    room = max((high / low) ** 0.05, 1.04)
+    low, high = low / room, high * room
+    axis.axes.set(**{f"{axis.axis_name}scale": "log", f"{axis.axis_name}lim": (low, high)})
+    axis.set_major_locator(ticker.FixedLocator(_round_ticks(low, high)))
     axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:.3g}"))
     axis.set_minor_locator(ticker.NullLocator())

@@ -43,8 +43,8 @@ class Studio {
     Image view(const std::string& name, const std::string& layout_key) {
         const Subject subject{scenes_.gpu_scene(key_), {}, width, height};
         const SceneNeeds& needs = subject.scene.needs();
-        const PathSetup setup{.needs = needs, .layout = drop_unneeded(load_layout(layout_key), needs),
-                              .hdr = gl::Format::RGBA32F};
+        const PathSetup setup{
+            .needs = needs, .layout = drop_unneeded(load_layout(layout_key), needs), .hdr = gl::Format::RGBA32F};
         Arm arm(build_view(name, setup), setup, subject, buffers_, shapes_);
         arm.draw();
         return arm.hdr_image();
@@ -61,7 +61,8 @@ class Studio {
 };
 
 /// Every channel of `test` is within relative * |reference| + absolute of `reference`, and finite where that is.
-inline void expect_close(const Image& reference, const Image& test, double relative, double absolute, const std::string& what) {
+inline void expect_close(const Image& reference, const Image& test, double relative, double absolute,
+                         const std::string& what) {
     ASSERT_EQ(reference.rgb.size(), test.rgb.size());
     size_t wrong = 0, worst = 0;
     double worst_excess = 0.0;
@@ -75,10 +76,10 @@ inline void expect_close(const Image& reference, const Image& test, double relat
             worst = i;
         }
     }
-    EXPECT_EQ(wrong, 0U) << what << ": " << wrong << " of " << test.rgb.size() << " values are off; the worst at pixel ("
-                         << worst / 3 % static_cast<size_t>(test.width) << ", "
-                         << worst / 3 / static_cast<size_t>(test.width) << "): " << reference.rgb[worst] << " became "
-                         << test.rgb[worst];
+    EXPECT_EQ(wrong, 0U) << what << ": " << wrong << " of " << test.rgb.size()
+                         << " values are off; the worst at pixel (" << worst / 3 % static_cast<size_t>(test.width)
+                         << ", " << worst / 3 / static_cast<size_t>(test.width) << "): " << reference.rgb[worst]
+                         << " became " << test.rgb[worst];
 }
 
 }  // namespace lightsweep

@@ -1,4 +1,5 @@
-// What must hold for every layout file: what is read back differs from what was written by no more than its bits explain.
+// What must hold for every layout file: what is read back differs from what was written by no more than its bits
+// explain.
 //
 // The bounds, worked out from the layout's data. s is the step of a channel in its own range: 1 / (2^b - 1) for b bits
 // unsigned, 2 / (2^b - 1) for a signed channel in an unsigned format, 1 / (2^(b-1) - 1) signed; 2^-10 (half) or 2^-23
@@ -41,10 +42,12 @@ Bound channel_step(const LayoutTarget& target, const StoredField& stored, size_t
             const double mantissa = bits == 32 ? 0x1p-23 : bits == 16 ? 0x1p-10 : bits == 11 ? 0x1p-6 : 0x1p-5;
             return {is_signed ? mantissa : 1e-7, mantissa};
         }
-        case gl::FormatKind::snorm: return {1.0 / (std::ldexp(1.0, bits - 1) - 1.0), 0.0};
+        case gl::FormatKind::snorm:
+            return {1.0 / (std::ldexp(1.0, bits - 1) - 1.0), 0.0};
         case gl::FormatKind::uint:
             return {is_signed ? 1.0 / (std::ldexp(1.0, bits - 1) - 1.0) : 1.0 / (std::ldexp(1.0, bits) - 1.0), 0.0};
-        default: return {(is_signed ? 2.0 : 1.0) / (std::ldexp(1.0, bits) - 1.0), 0.0};
+        default:
+            return {(is_signed ? 2.0 : 1.0) / (std::ldexp(1.0, bits) - 1.0), 0.0};
     }
 }
 
@@ -73,8 +76,7 @@ std::optional<Bound> find_bound(const Layout& layout, Field field) {
 }
 
 class EveryLayout : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Shipped, EveryLayout, testing::ValuesIn(layout_keys()),
-                         [](const auto& c) { return c.param; });
+INSTANTIATE_TEST_SUITE_P(Shipped, EveryLayout, testing::ValuesIn(layout_keys()), [](const auto& c) { return c.param; });
 
 void expect_within(const Image& truth, const Image& test, Bound bound, const std::string& what) {
     double worst = 0.0;
@@ -122,7 +124,8 @@ TEST_P(EveryLayout, NormalsComeBack) {
     }
     ASSERT_GT(count, truth.rgb.size() / 20);
     EXPECT_LE(worst, bound->absolute) << "radians";
-    if (bound->absolute > 1e-4) {  // a layout that packs must be seen to pack: the test would not notice float32 otherwise
+    if (bound->absolute >
+        1e-4) {  // a layout that packs must be seen to pack: the test would not notice float32 otherwise
         EXPECT_GT(sum / static_cast<double>(count), bound->absolute / 100.0);
     }
 }
@@ -143,7 +146,9 @@ TEST_P(EveryLayout, PositionsComeBack) {
         if (z == 0.0) continue;
         const glm::dvec3 a(truth.rgb[i], truth.rgb[i + 1], truth.rgb[i + 2]);
         const glm::dvec3 b(test.rgb[i], test.rgb[i + 1], test.rgb[i + 2]);
-        const double far_step = format.bits[0] == 32 ? 0x1p-23 * z : z * z * (f - n) / (f * n) * (std::ldexp(1.0, -format.bits[0]) + 0x1p-23);
+        const double far_step = format.bits[0] == 32
+                                    ? 0x1p-23 * z
+                                    : z * z * (f - n) / (f * n) * (std::ldexp(1.0, -format.bits[0]) + 0x1p-23);
         // A ray is |a| / z longer than the axis.
         const double allowed = stored ? stored->relative * 2.0 * glm::length(a) + 1e-6
                                       : (far_step + kArithmetic * z) * glm::length(a) / z + 1.5 * z * pixel / 256.0;
@@ -154,19 +159,23 @@ TEST_P(EveryLayout, PositionsComeBack) {
 
 TEST_P(EveryLayout, PictureIsNearTheControls) {
     // A bound on the picture: a field off by e changes reflected light by at most about e times how steeply the shading
-    // answers, which is unbounded in a mirror's highlight; so the 90th percentile of the pixels is held, not the maximum.
+    // answers, which is unbounded in a mirror's highlight; so the 90th percentile of the pixels is held, not the
+    // maximum.
     Studio studio("materials");
     const auto lights = studio.lights(16);
     const Image control = studio.hdr("deferred", "float32", lights), image = studio.hdr("deferred", GetParam(), lights);
     const Layout layout = drop_unneeded(load_layout(GetParam()), scene_needs(studio.scene()));
     double step = 0.0;
-    for (const Field field : {Field::normal, Field::base_color, Field::roughness}) step += find_bound(layout, field)->absolute;
+    for (const Field field : {Field::normal, Field::base_color, Field::roughness})
+        step += find_bound(layout, field)->absolute;
     std::vector<double> errors;
     for (size_t i = 0; i < control.rgb.size(); ++i) {
         ASSERT_TRUE(std::isfinite(image.rgb[i]));
-        errors.push_back(std::abs(static_cast<double>(image.rgb[i] - control.rgb[i])) / (static_cast<double>(control.rgb[i]) + 0.05));
+        errors.push_back(std::abs(static_cast<double>(image.rgb[i] - control.rgb[i])) /
+                         (static_cast<double>(control.rgb[i]) + 0.05));
     }
-    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 9 / 10), errors.end());
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 9 / 10),
+                     errors.end());
     EXPECT_LE(errors[errors.size() * 9 / 10], 10.0 * step + 0.01);
 }
 

@@ -33,8 +33,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryPath, testing::ValuesIn(every_scene_and_pa
 TEST_P(EveryPath, EqualsForward) {
     Studio studio(GetParam().scene);
     const auto lights = studio.lights(24);
-    expect_close(studio.hdr("forward", "", lights), studio.hdr(GetParam().path, "float32", lights), kRelative, kAbsolute,
-                 "24 lights");
+    expect_close(studio.hdr("forward", "", lights), studio.hdr(GetParam().path, "float32", lights), kRelative,
+                 kAbsolute, "24 lights");
 }
 
 TEST_P(EveryPath, ZeroLightsLeaveWhatNeedsNone) {
@@ -98,8 +98,8 @@ TEST_P(EveryScene, PositionFromDepthIsTheInterpolatedOne) {
     const auto stored = studio.view("position", "float32"), rebuilt = studio.view("position", "oct32");
     const auto z = studio.view("depth", "float32");
     const Camera& camera = studio.scene().camera;
-    // The rasteriser snaps vertices to 1/256 px (GL_SUBPIXEL_BITS 8), so what it interpolates is that far off the pixel's
-    // ray; the rebuilt position lies on it.
+    // The rasteriser snaps vertices to 1/256 px (GL_SUBPIXEL_BITS 8), so what it interpolates is that far off the
+    // pixel's ray; the rebuilt position lies on it.
     const double pixel = 2.0 * std::tan(glm::radians(camera.fov_y_deg) / 2.0) / studio.height;
     for (size_t i = 0; i < stored.rgb.size(); ++i) {
         const double distance = std::abs(static_cast<double>(z.rgb[i]));
@@ -118,8 +118,9 @@ TEST(LightVolumes, CameraThroughTheSurface) {
         for (const double offset : {-1.01, -1.0, -0.99, 0.0, 0.97, 1.0, 1.03}) {
             lamp.radius = radius;
             lamp.position = camera.eye + forward * (camera.near_distance + offset * radius);
-            expect_close(studio.hdr("forward", "", {lamp}), studio.hdr("deferred_volumes", "float32", {lamp}), kRelative,
-                         kAbsolute, "radius " + std::to_string(radius) + " offset " + std::to_string(offset));
+            expect_close(studio.hdr("forward", "", {lamp}), studio.hdr("deferred_volumes", "float32", {lamp}),
+                         kRelative, kAbsolute,
+                         "radius " + std::to_string(radius) + " offset " + std::to_string(offset));
         }
     }
 }

@@ -42,7 +42,8 @@ GroupResult run_group(const PlanGroup& group, int rounds) {
 }
 
 TEST(GroupRunner, KeepsEverySampleAndTheyAddUp) {
-    const auto result = run_group(group_of("cornell", 8, {{"forward", ""}, {"deferred", "oct32"}, {"deferred_volumes", "packed"}}), 8);
+    const auto result =
+        run_group(group_of("cornell", 8, {{"forward", ""}, {"deferred", "oct32"}, {"deferred_volumes", "packed"}}), 8);
     ASSERT_EQ(result.cells.size(), 3U);
     for (const auto& cell : result.cells) {
         ASSERT_EQ(cell.status, CellStatus::ok) << cell.reason.value_or("");

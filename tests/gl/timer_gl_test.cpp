@@ -1,8 +1,8 @@
 // The self-test must find every timer that lies, on a real context with real work.
 #include "bench/measure/known_work.h"
 #include "bench/measure/self_test.h"
-#include "renderer/gl/draw.h"
 #include "renderer/base/error.h"
+#include "renderer/gl/draw.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

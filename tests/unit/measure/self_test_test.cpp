@@ -26,14 +26,16 @@ TimerTrial trial(const std::string& kind, Said said) {
 
 TEST(JudgeTimer, AcceptsTheTruthWithinTheBand) {
     for (const double share : {0.91, 0.98, 1.0, 1.04}) {
-        const auto scaled = trial("a", [&](int64_t ns) { return static_cast<int64_t>(share * static_cast<double>(ns)); });
+        const auto scaled =
+            trial("a", [&](int64_t ns) { return static_cast<int64_t>(share * static_cast<double>(ns)); });
         EXPECT_TRUE(judge_timer("m", {scaled}).accepted) << share;
     }
 }
 
 TEST(JudgeTimer, RefusesOutsideTheBand) {
     for (const double share : {0.0, 0.001, 0.5, 0.89, 1.06, 2.0}) {
-        const auto scaled = trial("a", [&](int64_t ns) { return static_cast<int64_t>(share * static_cast<double>(ns)); });
+        const auto scaled =
+            trial("a", [&](int64_t ns) { return static_cast<int64_t>(share * static_cast<double>(ns)); });
         EXPECT_FALSE(judge_timer("m", {scaled}).accepted) << share;
     }
 }

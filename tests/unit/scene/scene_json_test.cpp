@@ -1,5 +1,8 @@
 // Scene files: what a small one becomes, and that every mistake is answered with its file and place.
 #include "renderer/scene/scene.h"
+
+#include "renderer/base/file.h"
+#include "renderer/base/resources.h"
 #include "tests/unit/scene/scene_fixtures.h"
 
 #include <gmock/gmock.h>
@@ -233,6 +236,13 @@ TEST_F(SceneJson, MissingKeysAreNamed) {
 TEST_F(SceneJson, TextThatIsNoJsonIsAnsweredWithItsLine) {
     const std::string path = folder_.write("small.json", "{\n  \"summary\": NaN\n}");
     EXPECT_THAT(input_error([&] { load_scene(path); }), HasSubstr("small.json:2:"));
+}
+
+TEST_F(SceneJson, TheReadmesExampleLoads) {
+    const std::string readme = read_file(resource("scenes/README.md"));
+    const size_t begin = readme.find("```json\n") + 8;
+    const Scene scene = load(json::parse(readme.substr(begin, readme.find("```", begin) - begin)));
+    EXPECT_EQ(scene.instances.size(), 10U);
 }
 
 TEST_F(SceneJson, OtherFilesAreRefused) {
