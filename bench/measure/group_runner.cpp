@@ -14,7 +14,10 @@ namespace lightsweep {
 namespace {
 
 constexpr double kNsToS = 1e-9;
-constexpr int kWarmUpFrames = 2;  // after the first: caches, buffers and the driver's own threads settle
+// After the first frame: caches, buffers and the driver's own threads settle. A slow arm settles within its own frame.
+constexpr double kWarmUpSeconds = 0.05;
+constexpr double kOverrun = 1.5;  // of the time for a group, before its smallest number of rounds is given up
+constexpr int kFewestRounds = 2;
 
 double seconds_since(int64_t start_ns) { return static_cast<double>(now_ns() - start_ns) * kNsToS; }
 
@@ -90,6 +93,12 @@ struct GroupRunner::Slot {
     std::unique_ptr<Arm> owned;
 };
 
+// What the control arm shows, or why there is none.
+struct GroupRunner::Control {
+    Image hdr, display;
+    std::optional<std::string> failure;
+};
+
 CellParams control_cell(const CellParams& any_cell_of_group) {
     CellParams control = any_cell_of_group;
     control.path = "deferred";
@@ -107,23 +116,56 @@ FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
     return sample;
 }
 
+GroupRunner::Control GroupRunner::draw_control(const CellParams& cell, const Subject& subject, GroupResult& result) {
+    const int64_t start = now_ns();
+    Control control;
+    try {
+        Arm arm(control_cell(cell), subject, buffers_, shapes_);
+        arm.draw();
+        control.hdr = arm.hdr_image();
+        control.display = arm.display_image();
+    } catch (const std::exception& error) {
+        control.failure = error.what();
+    }
+    result.frames_s += seconds_since(start);
+    return control;
+}
+
+// Makes an arm ready: compiled, its work counted, its picture compared, its caches warm.
+std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subject& subject, const Control& control,
+                                          GroupResult& result, CellResult& cell) {
+    const int64_t start = now_ns();
+    auto arm = std::make_unique<Arm>(params, subject, buffers_, shapes_);
+    arm->sample(*timer_);
+    cell.first_frame_ns = now_ns() - start;
+    cell.work = cell_work(*arm, subject);
+    result.frames_s += seconds_since(start);
+    if (control.failure) {
+        cell.warnings.push_back("no error against the control arm: " + *control.failure);
+    } else {
+        cell.error = CellError{.against = "control",
+                               .hdr = compare_images(control.hdr, arm->hdr_image()),
+                               .display = compare_images(control.display, arm->display_image())};
+    }
+    const int64_t warm_start = now_ns();
+    while (seconds_since(warm_start) < kWarmUpSeconds) take(*arm, result);
+    gl::Context::current()->throw_on_debug_errors(cell.name);
+    return arm;
+}
+
 void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupResult& result,
                           std::vector<Slot>& slots) {
+    const Control control = draw_control(group.cells.front(), subject, result);
     for (const auto& params : group.cells) {
         CellResult cell = new_cell(params, subject.scene.scene(), subject.lights.size());
         const auto fail = [&](CellStatus status, const std::string& reason) {
             cell.status = status;
             cell.reason = reason;
+            cell.work.reset();
+            cell.error.reset();
         };
         try {
-            const int64_t start = now_ns();
-            auto arm = std::make_unique<Arm>(params, subject, buffers_, shapes_);
-            arm->sample(*timer_);
-            cell.first_frame_ns = now_ns() - start;
-            result.frames_s += static_cast<double>(*cell.first_frame_ns) * kNsToS;
-            for (int i = 0; i < kWarmUpFrames; ++i) take(*arm, result);
-            cell.work = cell_work(*arm, subject);
-            gl::Context::current()->throw_on_debug_errors(cell.name);
+            auto arm = warm_up(params, subject, control, result, cell);
             slots.push_back({.arm = arm.get(), .cell = result.cells.size(), .twin = false, .owned = std::move(arm)});
         } catch (const InputError& error) {
             fail(CellStatus::invalid, error.what());
@@ -134,25 +176,8 @@ void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupR
         }
         result.cells.push_back(std::move(cell));
     }
-    if (!slots.empty())
-        slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
-}
-
-void GroupRunner::measure_errors(const Subject& subject, GroupResult& result, std::vector<Slot>& slots) {
-    const CellParams control = control_cell(result.cells.front().params);
-    const int64_t start = now_ns();
-    Arm arm(control, subject, buffers_, shapes_);
-    arm.draw();
-    result.frames_s += seconds_since(start);
-    const Image hdr = arm.hdr_image();
-    const Image display = arm.display_image();
-    for (const auto& slot : slots) {
-        if (slot.twin) continue;
-        slot.arm->draw();
-        result.cells[slot.cell].error = CellError{.against = "control",
-                                                  .hdr = compare_images(hdr, slot.arm->hdr_image()),
-                                                  .display = compare_images(display, slot.arm->display_image())};
-    }
+    if (slots.empty()) return;
+    slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
 }
 
 std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
@@ -172,6 +197,7 @@ std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start
         const double elapsed = seconds_since(start_ns);
         const int done = round + 1;
         progress(std::max(elapsed / rules.seconds, static_cast<double>(done) / rules.max_rounds));
+        if (elapsed >= kOverrun * rules.seconds && done >= kFewestRounds) return "budget";
         if (done < rules.min_rounds) continue;
         const bool all_tight = std::all_of(slots.begin(), slots.end(), [&](const Slot& slot) {
             return slot.twin || tight(result.cells[slot.cell].samples.wall_ns, rules.target_ci);
@@ -197,7 +223,6 @@ GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules,
     std::vector<Slot> slots;
     prepare(group, subject, result, slots);
     if (slots.empty()) return result;
-    measure_errors(subject, result, slots);
     result.noise = NoiseTwin{.arm = result.cells[slots.front().cell].name, .round = {}, .wall_ns = {}};
     const std::string stop_reason = sample_rounds(rules, start_ns, result, slots, progress);
     for (const auto& slot : slots) {

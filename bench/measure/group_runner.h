@@ -33,8 +33,11 @@ class GroupRunner {
 
   private:
     struct Slot;
+    struct Control;
+    Control draw_control(const CellParams& cell, const Subject& subject, GroupResult& result);
     void prepare(const PlanGroup& group, const Subject& subject, GroupResult& result, std::vector<Slot>& slots);
-    void measure_errors(const Subject& subject, GroupResult& result, std::vector<Slot>& slots);
+    std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, const Control& control,
+                                 GroupResult& result, CellResult& cell);
     std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
                               std::vector<Slot>& slots, const GroupProgress& progress);
     FrameSample take(Arm& arm, GroupResult& result);

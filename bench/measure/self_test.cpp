@@ -17,11 +17,18 @@ namespace {
 constexpr int64_t kUnitNs = 2'500'000;  // long against a clock's and a glFinish's own cost (some tens of microseconds)
 constexpr int kRepetitions = 7;
 constexpr int kAttempts = 5;
+constexpr int64_t kAttemptsNs = 15'000'000'000;  // no further attempt is begun after this
 // Of the clock around a frame. Two clocks may disagree by their own resolution and drift.
 constexpr double kImpossibleRatio = 1.05;
 const std::vector<int64_t> kAmounts = {1, 2, 4};
 
 int64_t fastest(const std::vector<int64_t>& ns) { return *std::min_element(ns.begin(), ns.end()); }
+
+double linearity(const std::vector<int64_t>& amounts, const std::vector<int64_t>& ns) {
+    const auto line =
+        linear_fit(std::vector<double>(amounts.begin(), amounts.end()), std::vector<double>(ns.begin(), ns.end()));
+    return line ? line->r_squared : 0.0;
+}
 
 TimerCase judge_trial(const TimerTrial& trial) {
     TimerCase result{.kind = trial.kind,
@@ -32,18 +39,15 @@ TimerCase judge_trial(const TimerTrial& trial) {
                      .yardstick_ns = {},
                      .ratio = {},
                      .linearity = {}};
-    std::vector<double> amounts, times;
     double measured = 0.0, yardstick = 0.0;
     for (size_t a = 0; a < trial.amounts.size(); ++a) {
         result.measured_ns.push_back(fastest(trial.measured_ns[a]));
         result.yardstick_ns.push_back(fastest(trial.yardstick_ns[a]));
         measured += static_cast<double>(result.measured_ns.back());
         yardstick += static_cast<double>(result.yardstick_ns.back());
-        amounts.push_back(static_cast<double>(trial.amounts[a]));
-        times.push_back(static_cast<double>(result.measured_ns.back()));
     }
     if (yardstick > 0.0) result.ratio = measured / yardstick;
-    if (const auto line = linear_fit(amounts, times)) result.linearity = line->r_squared;
+    result.linearity = linearity(result.work, result.measured_ns);
     return result;
 }
 
@@ -61,11 +65,13 @@ std::string impossible_time(const TimerTrial& trial) {
 }
 
 std::string complaint(const TimerCase& c) {
-    if (c.ratio && (*c.ratio < kLowestRatio || *c.ratio > kHighestRatio)) {
-        return fmt::format("{}: {:.4g} of the clock with glFinish", c.kind, *c.ratio);
+    if (!c.ratio || *c.ratio < kLowestRatio || *c.ratio > kHighestRatio) {
+        return fmt::format("{}: {:.4g} of the clock with glFinish", c.kind, c.ratio.value_or(0.0));
     }
-    if (!c.linearity || *c.linearity < kLowestLinearity) {
-        return fmt::format("{}: not linear in the work (R^2 {:.3f})", c.kind, c.linearity.value_or(0.0));
+    // On a busy machine the work itself does not take a time that is linear in its amount; then no timer can say so.
+    const double wanted = std::min(kLowestLinearity, linearity(c.work, c.yardstick_ns) - (1.0 - kLowestLinearity));
+    if (*c.linearity < wanted) {
+        return fmt::format("{}: not linear in the work (R^2 {:.3f})", c.kind, *c.linearity);
     }
     return {};
 }
@@ -106,7 +112,10 @@ TimerReport choose_timer(std::vector<TimerMethodReport> methods, const std::stri
     }
     std::string why;
     for (const auto& method : report.methods) why += fmt::format("; {}: {}", method.method, method.why);
-    throw EnvironmentError("no trustworthy timer on this device (--timer METHOD overrides)" + why);
+    throw EnvironmentError(
+        "no timer agrees with the clock on this device, or the machine is too busy to tell "
+        "(--timer METHOD overrides)" +
+        why);
 }
 
 namespace {
@@ -170,7 +179,8 @@ TimerReport run_timer_self_test(std::vector<TimerUnderTest> timers, const std::s
     work.calibrate(kUnitNs);
     Trials trials = no_trials(timers.size());
     std::vector<TimerMethodReport> methods;
-    for (int attempt = 0; attempt < kAttempts && !any_accepted(methods); ++attempt) {
+    const int64_t start = now_ns();
+    for (int attempt = 0; attempt < kAttempts && !any_accepted(methods) && now_ns() - start < kAttemptsNs; ++attempt) {
         add_repetitions(work, timers, trials);
         methods = judge_timers(timers, trials);
     }

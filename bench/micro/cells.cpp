@@ -66,10 +66,9 @@ bool CellBenchmarks::owns(std::string_view name) const {
 }
 
 std::string CellBenchmarks::choose_timer(const std::string& forced) {
-    const TimerReport report = run_timer_self_test(all_timers(), forced);
-    timer_method_ = report.method;
+    timer_method_ = forced.empty() ? run_timer_self_test(all_timers()).method : forced;
     timer_ = make_frame_timer(timer_method_);
-    return report.forced ? timer_method_ + " (forced)" : timer_method_;
+    return timer_method_;
 }
 
 Arm& CellBenchmarks::prepared_arm(const CellParams& cell) {

@@ -28,8 +28,8 @@ class CellBenchmarks {
     /// Whether the benchmark `name` is one of them.
     bool owns(std::string_view name) const;
 
-    /// Runs the timer self-test on the current context, which the benchmarks need; `forced`, unless empty, is used
-    /// whatever comes out. Gives the method in use, in words. Throws EnvironmentError when no timer can be trusted.
+    /// Lets the timer self-test choose on the current context, which the benchmarks need; or takes `forced`, unless it
+    /// is empty, unproved. Gives the method. Throws EnvironmentError when no timer can be trusted.
     std::string choose_timer(const std::string& forced);
 
   private:

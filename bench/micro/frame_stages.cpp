@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "frame/";
 
-// Boxes at random in a cube whose middle the camera stands in, looking along -z: it sees about a sixth of them.
+// Boxes at random in a cube whose middle the camera stands in, looking along -z: it sees about a tenth of them.
 Scene scattered_boxes(int64_t count) {
     constexpr double kHalfExtent = 50.0;
     Scene scene;

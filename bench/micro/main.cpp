@@ -45,7 +45,7 @@ void add_options(CLI::App& app, Options& options) {
         ->take_all()
         ->allow_extra_args(false);
     app.add_option("--device", options.device, "auto, egl:N, surfaceless or osmesa (lightsweep list devices)");
-    app.add_option("--timer", options.timer, "use this timer whatever the self-test says")
+    app.add_option("--timer", options.timer, "use this timer and leave the self-test out")
         ->check(CLI::IsMember(timer_methods()));
     app.add_flag("--allow-debug", options.allow_debug, "measure with a Debug build all the same");
     app.add_option("--benchmark_filter", options.filter, "run what matches this regular expression; -REGEX: the others")
@@ -103,6 +103,14 @@ class CountingReporter : public benchmark::BenchmarkReporter {
     int64_t failures_ = 0;
 };
 
+std::unique_ptr<gl::Context> make_context(const std::string& device) {
+    auto context = gl::Context::create(device);
+    gl::set_context_defaults();
+    benchmark::AddCustomContext("gl_renderer", context->info().renderer);
+    benchmark::AddCustomContext("gl_version", context->info().version);
+    return context;
+}
+
 int run(const Options& options, char* program) {
     std::unique_ptr<gl::Context> context;  // must outlive what is made in it
     CellBenchmarks cells(options.sweep, options.axes);
@@ -124,15 +132,14 @@ int run(const Options& options, char* program) {
     initialize_library(program, flags);
 
     benchmark::AddCustomContext("lightsweep_version", program_version());
+    benchmark::AddCustomContext("lightsweep_git_commit", program_git_commit().value_or("none"));
     benchmark::AddCustomContext("lightsweep_build_type", program_build_type());
     const bool runs_cells = std::ranges::any_of(selected, [&](const auto& name) { return cells.owns(name); });
-    if (runs_cells || std::ranges::any_of(selected, is_frame_stage)) {
-        context = gl::Context::create(options.device);
-        gl::set_context_defaults();
-        benchmark::AddCustomContext("gl_renderer", context->info().renderer);
-        benchmark::AddCustomContext("gl_version", context->info().version);
+    if (runs_cells || std::ranges::any_of(selected, is_frame_stage)) context = make_context(options.device);
+    if (runs_cells) {
+        const std::string method = cells.choose_timer(options.timer);
+        benchmark::AddCustomContext("timer", options.timer.empty() ? method : method + " (forced)");
     }
-    if (runs_cells) benchmark::AddCustomContext("timer", cells.choose_timer(options.timer));
     if (!options.out.empty() && !std::ofstream(options.out, std::ios::app)) {  // the library would exit with 1
         throw InputError(options.out, "cannot be written");
     }

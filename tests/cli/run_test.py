@@ -1,0 +1,142 @@
+"""Runs: what they leave on disk when they end, are interrupted or killed, and how their parts come together."""
+
+import os
+import signal
+import time
+import unittest
+
+from program import DONE, INTERRUPTED, RUN, ProgramTest, groups_of, journal_of, json_of, script
+
+# Twelve small groups; SLOW gives each a good part of a second, so that a signal finds some finished and some not.
+PLAN = ("-a", "scene=cornell", "-a", "path=forward,deferred", "-a", "layout=oct32", "-a", "lights=pow2:0:5", "-a", "size=32x32,48x32")
+QUICK = ("--time-budget", "0.1s", "--target-ci", "100%")
+SLOW = ("--time-budget", "1h", "--target-ci", "0.0001%")
+GROUPS = 12
+WAIT_S = 120
+
+
+class Runs(ProgramTest):
+    def planned_ids(self, *more):
+        lines = self.assert_done("run", *PLAN, *more, "--dry-run").stdout.splitlines()
+        return [line.split()[0] for line in lines if line.startswith("  ")]
+
+    def stopped(self, number, *arguments):
+        """A slow run that got the signal once two groups were finished: (exit code, what it said, its groups before)."""
+        process = self.start_program(*RUN, *PLAN, *SLOW, *arguments)
+        end = time.monotonic() + WAIT_S
+        while len(groups_of(self.folder / "out")) < 2 and time.monotonic() < end and process.poll() is None:
+            time.sleep(0.005)
+        before = groups_of(self.folder / "out")
+        os.kill(process.pid, number)
+        said = process.communicate(timeout=WAIT_S)[1]
+        self.assertIn(len(before), range(2, GROUPS), said)
+        return process.returncode, said, before
+
+    def assert_samples_add_up(self, report):
+        for cell in report["cells"]:
+            samples = cell["samples"]
+            self.assertGreater(len(samples["gpu_ns"]), 0)
+            self.assertIn("unattributed", samples["passes"])
+            self.assertEqual([sum(frame) for frame in zip(*samples["passes"].values())], samples["gpu_ns"], cell["name"])
+
+    def test_a_dry_run_writes_nothing(self):
+        ids = self.planned_ids("--out", "out")
+        self.assertEqual(len(set(ids)), 2 * GROUPS)
+        self.assertEqual(self.files(), [])
+
+    def test_an_interrupted_run_ends_in_order_and_can_be_resumed(self):
+        code, said, before = self.stopped(signal.SIGINT, "--out", "out")
+        self.assertEqual(code, INTERRUPTED, said)
+        self.assertIn("--resume", said)
+        partial = self.assert_valid_report("out/report.json")
+        self.assertEqual(partial["run"]["stopped_because"], "interrupted")
+        self.assertFalse(partial["summary"]["complete"])
+        lines = journal_of(self.folder / "out")
+        self.assertEqual([line["group"] for line in lines[1:]][:len(before)], before)
+
+        # A torn line at the end is what a crash leaves; the whole lines before it are kept as they are.
+        with open(self.folder / "out/journal.jsonl", "a", encoding="utf-8") as journal:
+            journal.write('{"kind": "group", "gro')
+        self.assert_done(*RUN, *PLAN, *QUICK, "--out", "out", "--resume")
+        self.assertEqual(journal_of(self.folder / "out")[:len(lines)], lines)
+        self.assertEqual(len(set(groups_of(self.folder / "out"))), GROUPS)
+        report = self.assert_valid_report("out/report.json")
+        self.assertTrue(report["summary"]["complete"])
+        self.assertEqual(report["run"]["stopped_because"], "complete")
+        self.assertEqual([cell["id"] for cell in report["cells"]], self.planned_ids())
+        self.assert_samples_add_up(report)
+
+    def test_a_killed_run_leaves_every_finished_group(self):
+        code, said, before = self.stopped(signal.SIGKILL, "--out", "out")
+        self.assertEqual(code, -signal.SIGKILL, said)
+        self.assertFalse((self.folder / "out/report.json").exists())
+        self.assertEqual(groups_of(self.folder / "out")[:len(before)], before)
+
+        self.assert_done("merge", "out/journal.jsonl", "-o", "report.json")
+        report = self.assert_valid_report("report.json")
+        self.assertEqual(list(dict.fromkeys(cell["group"] for cell in report["cells"])), groups_of(self.folder / "out"))
+        self.assertEqual(report["summary"]["planned"], 2 * GROUPS)
+        self.assertFalse(report["summary"]["complete"])
+        self.assert_samples_add_up(report)
+
+    def test_shards_come_together(self):
+        for index in (1, 2):
+            self.assert_done(*RUN, *PLAN, *QUICK, "--shard", f"{index}/2", "--out", f"part{index}")
+        ids = [[cell["id"] for cell in self.assert_valid_report(f"part{index}/report.json")["cells"]] for index in (1, 2)]
+        self.assertEqual(len(ids[0]) + len(ids[1]), 2 * GROUPS)
+        self.assert_done("merge", "part1/journal.jsonl", "part2/journal.jsonl", "-o", "report.json")
+        whole = self.assert_valid_report("report.json")
+        self.assertEqual(sorted(cell["id"] for cell in whole["cells"]), sorted(self.planned_ids()))
+        self.assertTrue(whole["summary"]["complete"])
+        self.assertEqual(whole["run"]["shard"], {"index": 1, "count": 1})
+
+        # What does not belong together is refused.
+        self.assert_refused(["merge", "part1/journal.jsonl", "part1/journal.jsonl", "-o", "twice.json"], "already")
+        self.assert_refused([*RUN, *PLAN, "--out", "part1"], "part1/journal.jsonl", "resume")
+        self.assert_refused([*RUN, "-a", "scene=cornell", "-a", "lights=1", "--out", "part1", "--resume"], "part1/journal.jsonl", "plan")
+
+        # A report against itself: nothing became slower.
+        self.assert_done("compare", "report.json", "report.json", "--fail-on", "1", code=DONE)
+
+        # The pictures of the whole.
+        plotted = script("plot.py", self.folder / "report.json", "--out", self.folder / "pictures")
+        self.assertEqual(plotted.returncode, 0, plotted.stderr)
+        names = {f"{figure}_cornell.{kind}" for kind in ("png", "svg")
+                 for figure in ("time_over_lights", "ratio_to_forward", "time_per_pass")}
+        self.assertEqual({path.name for path in (self.folder / "pictures").iterdir()}, names)
+        self.assertEqual(len(plotted.stdout.splitlines()), len(names))
+        self.assertIn("no time_against_error of cornell", plotted.stderr)
+
+
+class Smoke(ProgramTest):
+    def test_the_smoke_sweep_runs_everything_once(self):
+        self.assert_done(*RUN, "smoke", "--time-budget", "0.1s", "--out", "out")
+        report = self.assert_valid_report("out/report.json")
+        self.assertTrue(report["summary"]["complete"])
+        self.assertEqual(report["summary"]["counts"]["ok"], len(report["cells"]))
+        for axis, what in (("scene", "scenes"), ("path", "paths"), ("layout", "layouts")):
+            listed = self.assert_done("list", what).stdout.splitlines()[2:]
+            self.assertEqual({line.split()[0] for line in listed}, {cell["params"][axis] for cell in report["cells"]} - {None})
+        self.assertEqual({cell["params"]["hdr"] for cell in report["cells"]}, {"rgba16f", "rgba32f", "r11g11b10f"})
+        self.assert_checks_find_faults(json_of(self.folder / "out/report.json"))
+
+    def assert_checks_find_faults(self, report):
+        """The check of reports is worth something: it finds what is planted."""
+        text = (self.folder / "out/report.json").read_text(encoding="utf-8")
+        planted = {"nan": text.replace('"schema"', '"x": NaN, "schema"', 1), "torn": text[:-10]}
+        cell = report["cells"][0]
+        cell["samples"]["gpu_ns"][0] += 1
+        self.write("sum.json", report)
+        cell["samples"]["gpu_ns"][0] -= 1
+        cell["status"] = "fine"
+        self.write("status.json", report)
+        for name, content in planted.items():
+            self.write(f"{name}.json", content)
+        for name in (*planted, "sum", "status"):
+            checked = script("check_report.py", self.folder / f"{name}.json")
+            self.assertEqual(checked.returncode, 1, name)
+            self.assertIn(f"{name}.json:", checked.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
