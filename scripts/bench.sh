@@ -36,9 +36,8 @@ report="$out/report.json"
 if [[ ($code -eq 0 || $code -eq 4 || $code -eq 5) && $report -nt $started ]]; then
     plotted=0
     pictures="$(/usr/bin/python3 "$root/scripts/plot.py" "$report" --out "$out")" || plotted=$?
-    echo "report:   $report"
     echo "pictures:"
-    sed 's/^/  /' <<<"${pictures:-none}"
+    echo "  ${pictures//$'\n'/$'\n'  }"
     [[ $code -ne 0 ]] || code=$plotted
 fi
 exit "$code"

@@ -9,12 +9,12 @@ endif()
 if(TARGET gl_tests)
   # What measures time gets the machine for itself.
   set(timed "TimerSelfTest.*:GroupRunner.*:Harness.*")
-  gtest_discover_tests(gl_tests TEST_PREFIX gl. DISCOVERY_MODE PRE_TEST TEST_FILTER "-${timed}"
+  gtest_discover_tests(gl_tests TEST_PREFIX gl. DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_FILTER "-${timed}"
                        PROPERTIES LABELS gl TIMEOUT 300 ENVIRONMENT "${gl_environment}")
-  gtest_discover_tests(gl_tests TEST_PREFIX gl. DISCOVERY_MODE PRE_TEST TEST_FILTER "${timed}"
+  gtest_discover_tests(gl_tests TEST_PREFIX gl. DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_FILTER "${timed}"
                        PROPERTIES LABELS gl TIMEOUT 300 RUN_SERIAL ON ENVIRONMENT "${gl_environment}")
   # Through OSMesa once more: what the driver's own glue could break (context, uploads, every layout and format, read-back).
-  gtest_discover_tests(gl_tests TEST_PREFIX osmesa. DISCOVERY_MODE PRE_TEST
+  gtest_discover_tests(gl_tests TEST_PREFIX osmesa. DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES
                        TEST_FILTER "Shipped/EveryLayout.*:Scenes/EveryPath.EqualsForward/*:LightVolumes.*"
                        PROPERTIES LABELS osmesa TIMEOUT 300 ENVIRONMENT "LIGHTSWEEP_TEST_DEVICE=osmesa;${gl_environment}")
 endif()

@@ -1,6 +1,8 @@
 // The program's commands: one file each. A command registers its options, and gives what runs it.
 #pragma once
 
+#include "bench/measure/exit_code.h"
+
 #include <CLI/CLI.hpp>
 
 #include <functional>
@@ -8,10 +10,6 @@
 #include <vector>
 
 namespace lightsweep {
-
-/// What the shell sees: 0 done, 1 a verdict failed, 2 bad usage or input, 3 environment refused, 4 some cells
-/// failed, 5 interrupted (run again with --resume).
-enum ExitCode : int { kDone = 0, kVerdictFailed = 1, kBadInput = 2, kRefused = 3, kCellsFailed = 4, kInterrupted = 5 };
 
 using Command = std::function<int()>;
 

@@ -3,6 +3,7 @@
 #include "bench/cli/device_options.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/summary.h"
+#include "bench/measure/catalog.h"
 #include "bench/measure/environment.h"
 #include "bench/measure/group_runner.h"
 #include "bench/measure/self_test.h"
@@ -13,7 +14,6 @@
 #include "renderer/base/file.h"
 #include "renderer/base/names.h"
 #include "renderer/gbuffer/layout.h"
-#include "renderer/paths/paths.h"
 
 #include <fmt/format.h>
 
@@ -63,12 +63,6 @@ double parse_duration(const std::string& text) {
 
 double parse_share(const std::string& text) {
     return parse_quantity("--target-ci", text, {{"", 1.0}, {"%", 0.01}}, "a share such as 2% or 0.02");
-}
-
-Catalog catalog() {
-    std::vector<PathName> paths;
-    for (const PathInfo* path : all_paths()) paths.push_back({std::string(path->key), path->uses_layout});
-    return shipped_catalog(std::move(paths));
 }
 
 // Everything a user may have got wrong, found before a context is made or a file is written.
@@ -153,7 +147,7 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     if (program_build_type() == "Debug" && !options.allow_debug && !options.dry_run) {
         throw EnvironmentError("this is a Debug build: its times say nothing; build Release (or give --allow-debug)");
     }
-    const Catalog names = catalog();
+    const Catalog names = program_catalog();
     const Sweep sweep = load_sweep(options.sweep, names);
     const Plan plan =
         make_plan(sweep, parse_axis_arguments(options.axes, names), options.filter, parse_shard(options.shard), names);

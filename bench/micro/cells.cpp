@@ -1,9 +1,9 @@
 #include "bench/micro/cells.h"
 
+#include "bench/measure/catalog.h"
 #include "bench/measure/self_test.h"
 #include "bench/micro/guarded.h"
 #include "renderer/gl/context.h"
-#include "renderer/paths/paths.h"
 
 #include <fmt/format.h>
 
@@ -14,14 +14,8 @@ namespace {
 
 constexpr int kWarmUpFrames = 2;  // after the first, which compiles
 
-Catalog catalog() {
-    std::vector<PathName> paths;
-    for (const PathInfo* path : all_paths()) paths.push_back({std::string(path->key), path->uses_layout});
-    return shipped_catalog(std::move(paths));
-}
-
 Plan plan_cells(const std::string& sweep, const std::vector<std::string>& axes) {
-    const Catalog names = catalog();
+    const Catalog names = program_catalog();
     return make_plan(load_sweep(sweep, names), parse_axis_arguments(axes, names), {}, {}, names);
 }
 

@@ -1,7 +1,7 @@
 // lightsweep_benchmark: the cells of a sweep and the stages of the CPU under Google Benchmark's flags, filters and
 // files. Every failure that a user can cure is one line on stderr and an exit code, as of lightsweep itself.
-#include "bench/cli/commands.h"
 #include "bench/measure/environment.h"
+#include "bench/measure/exit_code.h"
 #include "bench/measure/frame_timer.h"
 #include "bench/micro/cells.h"
 #include "bench/micro/stages.h"
@@ -12,6 +12,7 @@
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <exception>

@@ -107,7 +107,7 @@ def light_axis(axes, counts):
     axes.set_xlabel("lights")
 
 
-def _round_ticks(low, high):
+def round_ticks(low, high):
     """Four round numbers or more between two positive ones, as evenly spread over a logarithmic axis as can be."""
     decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)))
     for steps in ((1,), (1, 3), (1, 2, 5), (1, 1.5, 2, 3, 5, 7)):
@@ -124,6 +124,6 @@ def log_axis(axis, low, high):
     room = max((high / low) ** 0.05, 1.04)
     low, high = low / room, high * room
     axis.axes.set(**{f"{axis.axis_name}scale": "log", f"{axis.axis_name}lim": (low, high)})
-    axis.set_major_locator(ticker.FixedLocator(_round_ticks(low, high)))
-    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:.3g}"))
+    axis.set_major_locator(ticker.FixedLocator(round_ticks(low, high)))
+    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_locator(ticker.NullLocator())

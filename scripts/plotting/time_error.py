@@ -36,8 +36,9 @@ def _error_axis(axes, errors):
         threshold = 10.0 ** math.floor(math.log10(min(positive)))
         axes.set_yscale("symlog", linthresh=threshold, linscale=0.4)
         axes.set_ylim(-0.3 * threshold, 1.5 * max(errors))
+        axes.set_yticks([0, *style.round_ticks(min(positive), max(positive) * 1.4)])
         axes.yaxis.set_minor_locator(ticker.NullLocator())
-        axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:.3g}"))
+        axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
 
 
 def _label_boxes(center, size):

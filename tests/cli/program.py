@@ -30,6 +30,12 @@ def json_of(file):
     return json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
 
 
+def write_json(file, value):
+    """Returns the file."""
+    pathlib.Path(file).write_text(json.dumps(value), encoding="utf-8")
+    return file
+
+
 def journal_of(folder):
     """The complete lines of a run's journal."""
     file = pathlib.Path(folder, "journal.jsonl")

@@ -188,7 +188,7 @@ class CheckedReport : public ::testing::Test {
         return std::system(("/usr/bin/python3 '" + script + "' '" + file_.string() + "' > /dev/null").c_str());
     }
 
-    fs::path file_ = fs::path(::testing::TempDir()) / "lightsweep_checked_report.json";
+    fs::path file_ = fs::path(::testing::TempDir()) / fmt::format("lightsweep_checked_report_{}.json", getpid());
     JournalContent journal_ = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}, {"deferred", "oct32"}},
                                                 {1, 4, 16}, crossing_at_50, 12);
 };
