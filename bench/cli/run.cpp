@@ -22,6 +22,7 @@
 #include <charconv>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -168,14 +169,28 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     const auto context = options.device.make_context();
     const Environment environment = read_environment(*context);
     const RunInfo info = make_run_info(plan, options, budget_s, target_ci, arguments);
-    const TimerReport timer = run_timer_self_test(all_timers(), options.timer);
+    const bool resuming = options.resume && fs::exists(journal_file);
+    std::set<std::string> done;
+    TimerReport timer;
+    if (resuming) {
+        const JournalContent begun = read_journal(journal_file);
+        done = finished_groups(begun, journal_file, info, environment);
+        timer = begun.timer;  // one journal, one timer: what goes on is timed as what was begun
+        if (!options.timer.empty() && options.timer != timer.method) {
+            throw InputError("--timer " + options.timer,
+                             fmt::format("cannot be resumed: {} was timed by {}", journal_file.string(), timer.method));
+        }
+    } else if (fs::exists(journal_file)) {
+        throw InputError(
+            journal_file.string(),
+            "exists already and may hold results; --resume goes on with it, or write elsewhere with --out");
+    } else {
+        timer = options.timer.empty() ? choose_timer(test_timers(all_timers())) : choose_timer({}, options.timer);
+    }
 
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) throw InputError(folder.string(), "cannot be made: " + failure.message());
-    std::set<std::string> done;
-    const bool resuming = options.resume && fs::exists(journal_file);
-    if (resuming) done = finished_groups(read_journal(journal_file), journal_file, info, environment);
     JournalWriter journal =
         resuming ? JournalWriter::resume(journal_file) : JournalWriter::create(journal_file, info, environment, timer);
     fmt::print(stderr, "{}: {} cells in {} groups on {}; timer {}\n", sweep.key, plan.cell_count, plan.groups.size(),
@@ -219,7 +234,7 @@ Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
     command->add_option("--shard", options->shard, "i/n: only this part of the groups")->capture_default_str();
     command->add_flag("--resume", options->resume, "go on with the journal in --out");
     command->add_option("--seed", options->seed, "of the generated lights; 0: as the scenes say")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(int64_t{0}, std::numeric_limits<int64_t>::max()));
     command->add_option("--timer", options->timer, "use this timer whatever the self-test says");
     command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
     command->add_flag("--allow-debug", options->allow_debug, "measure with a Debug build all the same");

@@ -14,24 +14,26 @@ size_t width(const std::string& text) {
 }
 
 bool numeric(const std::string& text) {
-    return !text.empty() &&
-           (std::isdigit(static_cast<unsigned char>(text[0])) != 0 || text[0] == '-' || text[0] == '<');
+    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) != 0 || text[0] == '-');
 }
 
 }  // namespace
 
 std::string Table::text() const {
     std::vector<size_t> widths(rows_.front().size(), 0);
+    std::vector<bool> right(rows_.front().size(), rows_.size() > 1);
     for (const auto& row : rows_) {
         for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    }
+    for (size_t r = 1; r < rows_.size(); ++r) {
+        for (size_t i = 0; i < right.size(); ++i) right[i] = right[i] && numeric(rows_[r][i]);
     }
     std::string out;
     for (size_t r = 0; r < rows_.size(); ++r) {
         std::string line;
         for (size_t i = 0; i < rows_[r].size(); ++i) {
             const std::string padding(widths[i] - width(rows_[r][i]), ' ');
-            const bool right = numeric(rows_[r][i]) || (r == 0 && rows_.size() > 1 && numeric(rows_[1][i]));
-            line += (i == 0 ? "" : "  ") + (right ? padding + rows_[r][i] : rows_[r][i] + padding);
+            line += (i == 0 ? "" : "  ") + (right[i] ? padding + rows_[r][i] : rows_[r][i] + padding);
         }
         line.erase(line.find_last_not_of(' ') + 1);
         out += line + "\n";

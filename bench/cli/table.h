@@ -11,7 +11,7 @@ class Table {
     explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
     size_t size() const { return rows_.size() - 1; }
-    /// Columns as wide as their widest cell; cells that start with a digit, sign or `-` are set right.
+    /// Columns as wide as their widest cell; a column in which every cell is a number (with its unit) is set right.
     std::string text() const;
 
   private:

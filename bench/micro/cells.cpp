@@ -60,7 +60,7 @@ bool CellBenchmarks::owns(std::string_view name) const {
 }
 
 std::string CellBenchmarks::choose_timer(const std::string& forced) {
-    timer_method_ = forced.empty() ? run_timer_self_test(all_timers()).method : forced;
+    timer_method_ = forced.empty() ? lightsweep::choose_timer(test_timers(all_timers())).method : forced;
     timer_ = make_frame_timer(timer_method_);
     return timer_method_;
 }

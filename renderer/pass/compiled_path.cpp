@@ -1,13 +1,20 @@
 #include "renderer/pass/compiled_path.h"
 
 #include "renderer/base/check.h"
+#include "renderer/base/error.h"
 #include "renderer/gbuffer/layout_glsl.h"
+#include "renderer/gl/context.h"
 #include "shaders/shared/slots.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
 namespace lightsweep {
 namespace {
+
+constexpr double kMemoryShare = 0.5;  // of what is free: an image is read back and compared beside the targets
 
 bool is_depth(const TargetDesc& target) { return gl::info(target.format).kind == gl::FormatKind::depth; }
 
@@ -21,10 +28,25 @@ CompiledStage compile(const Shader& shader, const gl::RasterState& state, const 
     return {gl::Program(desc), state};
 }
 
+// A software driver takes the targets from the machine's memory, and does so only when they are first written: too late
+// for an error, since the system ends the process then.
+void check_memory(const Path& path, int width, int height) {
+    if (!gl::Context::current()->info().software) return;
+    double needed = 0.0;
+    for (const auto& target : path.targets) needed += gl::info(target.format).bytes;
+    needed *= static_cast<double>(width) * height;
+    const double free = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (needed > kMemoryShare * free) {
+        throw EnvironmentError(fmt::format("targets of {}x{} px need {:.1f} GiB, and {:.1f} GiB are free", width,
+                                           height, needed / 0x1p30, free / 0x1p30));
+    }
+}
+
 }  // namespace
 
 CompiledPath::CompiledPath(Path path, const PathSetup& setup, int width, int height)
     : path_(std::move(path)), depth_clear_(setup.layout.convention == DepthConvention::reversed ? 0.0F : 1.0F) {
+    check_memory(path_, width, height);
     for (const auto& target : path_.targets) {
         textures_.emplace_back(
             gl::TextureDesc{.width = width, .height = height, .format = target.format, .label = target.name});

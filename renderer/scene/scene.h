@@ -11,7 +11,7 @@
 
 namespace lightsweep {
 
-/// How a surface answers light. The values are stored in the G-buffer (2 bits) and read by shaders/lib/shading.glsl.
+/// How a surface answers light. The values are stored in the G-buffer (2 bits) and read by shaders/lib/brdf.glsl.
 enum class ShadingModel : uint32_t {
     ggx = 0,          ///< metallic-roughness microfacet (glTF 2.0, appendix B)
     blinn_phong = 1,  ///< normalised Blinn-Phong; the exponent is 2/alpha^2 - 2 with alpha = roughness^2
@@ -39,7 +39,7 @@ struct Material {
     float roughness = 1.0F;      ///< perceptual, [0, 1]; alpha = roughness^2
     float metallic = 0.0F;       ///< [0, 1]; ggx only
     glm::vec3 specular{0.0F};    ///< linear, [0, 1]; blinn_phong only
-    /// blinn_phong: specular = luminance of the base colour times `specular`, as in the luminance G-buffer of seed 002.
+    /// blinn_phong: specular = luminance of the base colour times `specular`, as in luminance G-buffers.
     bool specular_from_luminance = false;
     glm::vec3 emissive{0.0F};  ///< linear radiance
     int base_color_texture = kNoTexture;

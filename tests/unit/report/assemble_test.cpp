@@ -6,7 +6,9 @@
 #include "renderer/base/file.h"
 #include "renderer/base/resources.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
