@@ -15,12 +15,12 @@ namespace lightsweep {
 namespace {
 
 constexpr int64_t kUnitNs = 2'500'000;  // long against a clock's and a glFinish's own cost (some tens of microseconds)
-constexpr int kRepetitions = 7;
+constexpr int kRepetitions = 9;
 constexpr int kAttempts = 5;
 constexpr int64_t kAttemptsNs = 15'000'000'000;  // no further attempt is begun after this
 // Of the clock around a frame. Two clocks may disagree by their own resolution and drift.
 constexpr double kImpossibleRatio = 1.05;
-constexpr double kFewest = 0.1;  // the share of repetitions that may lie outside the band, on each side
+constexpr double kFewest = 0.02;  // the share of repetitions that may lie outside the band, on each side
 const std::vector<int64_t> kAmounts = {1, 2, 4};
 
 int64_t median_ns(const std::vector<int64_t>& ns) {
