@@ -2,11 +2,11 @@
 //
 // The method: known work of several kinds (known_work.h), 1, 2 and 4 units of it, is timed by every method in turn. The
 // yardstick is the steady clock with glFinish before and after the very same frame, so that a busy machine slows both.
-// A method is accepted when for every kind of work the median of its share of the yardstick is within [kLowestRatio,
-// kHighestRatio], its times are linear in the amount (or as linear as the yardstick's), and no single time was
-// impossible (negative, or longer than the clock saw). The first accepted one in the order given (cheapest first) is
-// used. No driver is believed or refused by its name. When nothing is accepted, repetitions are added: noise passes, a
-// lie stays.
+// A method is accepted when for every kind of work all but one in fifty of its shares of the yardstick lie within
+// [kLowestRatio, kHighestRatio] on either side (right on average is not right), its times are linear in the amount (or
+// as linear as the yardstick's), and no single time was impossible (negative, or longer than the clock saw). The first
+// accepted one in the order given (cheapest first) is used. No driver is believed or refused by its name. When nothing
+// is accepted, repetitions are added: noise passes, a lie stays.
 #pragma once
 
 #include "bench/measure/frame_timer.h"
