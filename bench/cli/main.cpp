@@ -1,25 +1,19 @@
 // lightsweep: the command line. Every failure that a user can cure is one line on stderr and an exit code.
 #include "bench/cli/commands.h"
+#include "bench/measure/checked_main.h"
 #include "bench/measure/environment.h"
 #include "renderer/base/error.h"
 #include "renderer/base/names.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <exception>
 #include <map>
 #include <vector>
 
 namespace lightsweep {
 namespace {
 
-int report(const std::string& message, int code) {
-    fmt::print(stderr, "lightsweep: {}\n", message);
-    return code;
-}
-
-int main_checked(int argc, char** argv) {
+int run_program(int argc, char** argv) {
     CLI::App app{"Which shading path, which G-buffer layout: at what cost in time, and what cost in error?",
                  "lightsweep"};
     app.set_version_flag("--version", program_version() + " (" + program_git_commit().value_or("no commit") + ")");
@@ -42,14 +36,14 @@ int main_checked(int argc, char** argv) {
         commands[name] = add(app);
     }
     if (argc > 1 && argv[1][0] != '-' && !commands.contains(argv[1])) {
-        return report(unknown_name("command", argv[1], names), kBadInput);
+        throw InputError(unknown_name("command", argv[1], names));
     }
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return report(fmt::format("{} (lightsweep --help shows the usage)", error.what()), kBadInput);
+        throw InputError(fmt::format("{} (lightsweep --help shows the usage)", error.what()));
     }
     return commands.at(app.get_subcommands().front()->get_name())();
 }
@@ -57,15 +51,4 @@ int main_checked(int argc, char** argv) {
 }  // namespace
 }  // namespace lightsweep
 
-int main(int argc, char** argv) {
-    using namespace lightsweep;
-    try {
-        return main_checked(argc, argv);
-    } catch (const InputError& error) {
-        return report(error.what(), kBadInput);
-    } catch (const EnvironmentError& error) {
-        return report(error.what(), kRefused);
-    } catch (const std::exception& error) {
-        return report(fmt::format("failed: {}", error.what()), kCellsFailed);
-    }
-}
+int main(int argc, char** argv) { return lightsweep::checked_main("lightsweep", lightsweep::run_program, argc, argv); }

@@ -1,7 +1,7 @@
 // lightsweep_benchmark: the cells of a sweep and the stages of the CPU under Google Benchmark's flags, filters and
 // files. Every failure that a user can cure is one line on stderr and an exit code, as of lightsweep itself.
+#include "bench/measure/checked_main.h"
 #include "bench/measure/environment.h"
-#include "bench/measure/exit_code.h"
 #include "bench/measure/frame_timer.h"
 #include "bench/micro/cells.h"
 #include "bench/micro/stages.h"
@@ -150,12 +150,7 @@ int run(const Options& options, char* program) {
     return reporter.failures() == 0 ? kDone : kCellsFailed;
 }
 
-int report(const std::string& message, int code) {
-    fmt::print(stderr, "lightsweep_benchmark: {}\n", message);
-    return code;
-}
-
-int main_checked(int argc, char** argv) {
+int run_program(int argc, char** argv) {
     CLI::App app{"The cells of a sweep, and the stages of the CPU, as Google Benchmarks", "lightsweep_benchmark"};
     Options options;
     add_options(app, options);
@@ -166,7 +161,7 @@ int main_checked(int argc, char** argv) {
         benchmark::PrintDefaultHelp();
         return code;
     } catch (const CLI::ParseError& error) {
-        return report(fmt::format("{} (--help shows the usage)", error.what()), kBadInput);
+        throw InputError(fmt::format("{} (--help shows the usage)", error.what()));
     }
     options.rest = app.remaining();
     return run(options, argv[0]);
@@ -176,14 +171,5 @@ int main_checked(int argc, char** argv) {
 }  // namespace lightsweep
 
 int main(int argc, char** argv) {
-    using namespace lightsweep;
-    try {
-        return main_checked(argc, argv);
-    } catch (const InputError& error) {
-        return report(error.what(), kBadInput);
-    } catch (const EnvironmentError& error) {
-        return report(error.what(), kRefused);
-    } catch (const std::exception& error) {
-        return report(fmt::format("failed: {}", error.what()), kCellsFailed);
-    }
+    return lightsweep::checked_main("lightsweep_benchmark", lightsweep::run_program, argc, argv);
 }

@@ -31,7 +31,9 @@ CompiledStage compile(const Shader& shader, const gl::RasterState& state, const 
 // A software driver takes the targets from the machine's memory, and does so only when they are first written: too late
 // for an error, since the system ends the process then.
 void check_memory(const Path& path, int width, int height) {
-    if (!gl::Context::current()->info().software) return;
+    const gl::Context& context = *gl::Context::current();
+    const bool over_limit = std::max(width, height) > context.limits().max_texture_size_px;
+    if (!context.info().software || over_limit) return;  // a texture over the limit says so itself
     double needed = 0.0;
     for (const auto& target : path.targets) needed += gl::info(target.format).bytes;
     needed *= static_cast<double>(width) * height;
