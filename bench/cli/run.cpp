@@ -235,7 +235,7 @@ Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
     command->add_flag("--resume", options->resume, "go on with the journal in --out");
     command->add_option("--seed", options->seed, "of the generated lights; 0: as the scenes say")
         ->check(CLI::Range(int64_t{0}, std::numeric_limits<int64_t>::max()));
-    command->add_option("--timer", options->timer, "use this timer whatever the self-test says");
+    command->add_option("--timer", options->timer, "use this timer, without the self-test");
     command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
     command->add_flag("--allow-debug", options->allow_debug, "measure with a Debug build all the same");
     return [options, arguments] { return run(*options, arguments); };

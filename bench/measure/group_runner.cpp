@@ -122,12 +122,12 @@ GroupRunner::Control GroupRunner::draw_control(const CellParams& cell, const Sub
     try {
         Arm arm(control_cell(cell), subject, buffers_, shapes_);
         arm.draw();
+        result.frames_s += seconds_since(start);
         control.hdr = arm.hdr_image();
         control.display = arm.display_image();
     } catch (const std::exception& error) {
         control.failure = error.what();
     }
-    result.frames_s += seconds_since(start);
     return control;
 }
 
@@ -138,8 +138,8 @@ std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subjec
     auto arm = std::make_unique<Arm>(params, subject, buffers_, shapes_);
     arm->sample(*timer_);
     cell.first_frame_ns = now_ns() - start;
-    cell.work = cell_work(*arm, subject);
     result.frames_s += seconds_since(start);
+    cell.work = cell_work(*arm, subject);
     if (control.failure) {
         cell.warnings.push_back("no error against the control arm: " + *control.failure);
     } else {
