@@ -117,6 +117,7 @@ int run(const Options& options, char* program) {
     CellBenchmarks cells(options.sweep, options.axes);
     cells.add(options.repetitions > 0 ? 0 : kRepetitions);
     add_cpu_stages();
+    add_reference_stages();
     add_frame_stages();
     const auto selected = selected_names(program, options.filter);
     if (options.list) {

@@ -9,6 +9,10 @@ namespace lightsweep {
 /// Lights, layouts, image files, metrics, reports, statistics. None needs a GL context.
 void add_cpu_stages();
 
+/// The reference picture: surfaces, shading, display values, and the processor's arithmetic peak to hold them against.
+/// No GL context either.
+void add_reference_stages();
+
 /// Building a frame (culling) and uploading it. They need a current context, since a scene is culled where it was
 /// uploaded.
 void add_frame_stages();

@@ -1,4 +1,5 @@
 // Every pass that draws meshes. DEPTH_ONLY: position (and texture coordinates where a mask needs them) alone.
+// OUTPUT_INSTANCE: which instance it is, too.
 #include "lib/frame.glsl"
 
 layout(std430, binding = kInstanceBuffer) readonly buffer InstanceBuffer { InstanceData instances[]; };
@@ -21,6 +22,10 @@ layout(location = 3) out vec4 out_tangent;
 #endif
 #endif
 
+#ifdef OUTPUT_INSTANCE
+layout(location = 4) flat out uint out_instance;
+#endif
+
 void main() {
     InstanceData i = instances[instance_index];
     // Both differences are of nearby numbers: exact, or nearly so, however far from the origin the camera is.
@@ -30,6 +35,9 @@ void main() {
     vec3 world = rotated + translation;
     gl_Position = frame.clip_from_world * vec4(world, 1.0);
     out_texcoord = texcoord;
+#ifdef OUTPUT_INSTANCE
+    out_instance = instance_index;
+#endif
 #ifndef DEPTH_ONLY
     out_position = world;
     out_normal = normalize(i.normal_x.xyz * normal.x + i.normal_y.xyz * normal.y + i.normal_z.xyz * normal.z);
