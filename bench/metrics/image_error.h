@@ -10,18 +10,17 @@
 namespace lightsweep {
 
 struct ImageError {
-    std::vector<std::optional<double>> values;  ///< as all_metrics()
+    std::vector<std::optional<double>> values;  ///< as metric_value_keys()
     /// Every value equals its counterpart, or both are NaN.
     bool identical = false;
 
-    /// The metric `key`, which must be one of the table ("rmse").
+    /// The number `key`, which must be one of the table's ("rmse").
     std::optional<double> value(std::string_view key) const;
 };
 
-/// Throws InputError as require_comparable() does.
-ImageError compare_images(const Image& reference, const Image& test);
+ImageError measure_error(const ImagePair& pair);
 
-/// {"rmse": ..., ..., "identical": ...}; a metric that is not defined is null.
+/// {"rmse": ..., ..., "identical": ...}; a number that is not defined is null.
 nlohmann::ordered_json to_json(const ImageError& error);
 
 }  // namespace lightsweep

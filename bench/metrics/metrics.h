@@ -1,27 +1,30 @@
 // Error metrics: pure functions of two images, one file each, one row each in metrics.cpp. Knows no GL.
 #pragma once
 
-#include "renderer/image/image.h"
+#include "bench/metrics/image_pair.h"
 
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace lightsweep {
 
-/// One number that says how far `test` is from `reference`. Zero on equal images (a ratio such as PSNR: nothing).
-/// Non-finite pixels are left out of every metric but `nonfinite_px`, which counts them and is reported beside.
+/// One or a few numbers that say how far the test picture is from the reference. Zero on equal pictures (a similarity:
+/// one; a ratio such as PSNR: nothing). Non-finite pixels are left out of every metric but `nonfinite_px`, which counts
+/// them and is reported beside.
 struct Metric {
-    std::string_view key;  ///< the file's name, the JSON key, the command line's word; its unit at the end
+    std::string_view key;  ///< the file's name, the command line's word
     std::string_view summary;
-    /// The images have passed require_comparable(). Nothing where the metric is not defined, never NaN or infinity.
-    std::optional<double> (*measure)(const Image& reference, const Image& test);
+    std::span<const std::string_view> values;  ///< the JSON keys of its numbers, their unit at the end
+    /// As many as `values`. Nothing where a number is not defined, never NaN or infinity.
+    std::vector<std::optional<double>> (*measure)(const ImagePair& pair);
 };
 
 /// In the order of the table, which is the order in reports.
 std::span<const Metric* const> all_metrics();
 
-/// Throws InputError unless both have the same size and the same colour space.
-void require_comparable(const Image& reference, const Image& test);
+/// The keys of every metric's numbers, in that order.
+std::vector<std::string_view> metric_value_keys();
 
 }  // namespace lightsweep

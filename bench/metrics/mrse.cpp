@@ -10,21 +10,21 @@
 namespace lightsweep {
 namespace {
 
-std::optional<double> mrse(const Image& reference, const Image& test) {
-    if (reference.space != ColorSpace::linear)
-        return mrse(converted(reference, ColorSpace::linear), converted(test, ColorSpace::linear));
+std::vector<std::optional<double>> mrse(const ImagePair& pair) {
     const auto term = [](double r, double v) {
         const double relative = (v - r) / (std::abs(r) + 0.01);
         return relative * relative;
     };
-    const Reduction sum = reduce_finite(reference, test, term, kSum);
-    if (sum.values == 0) return {};
-    return sum.value / static_cast<double>(sum.values);
+    const Reduction sum = reduce_finite(pair.reference_linear, pair.test_linear, term, kSum);
+    if (sum.values == 0) return {std::nullopt};
+    return {sum.value / static_cast<double>(sum.values)};
 }
+
+constexpr std::string_view kValues[] = {"mrse"};
 
 }  // namespace
 
 extern const Metric metric_mrse{
-    .key = "mrse", .summary = "mean relative squared difference of linear values", .measure = mrse};
+    .key = "mrse", .summary = "mean relative squared difference of linear values", .values = kValues, .measure = mrse};
 
 }  // namespace lightsweep

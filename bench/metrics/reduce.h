@@ -26,21 +26,30 @@ inline bool all_finite(std::span<const float> values) {
     return infinite == 0;
 }
 
-/// One result per block of kBlockRows rows, in order: what `of_row(y)` gives for each row, combined.
-template <typename Result, typename OfRow, typename Combine>
-Result reduce_rows(int height, OfRow of_row, Combine combine) {
+/// One result per block of rows, in order: what `of_block(first, end)` gives for its rows [first, end), combined.
+template <typename Result, typename OfBlock, typename Combine>
+Result reduce_blocks(int height, OfBlock of_block, Combine combine) {
     constexpr int kBlockRows = 16;
     const int blocks = (height + kBlockRows - 1) / kBlockRows;
     std::vector<Result> results(static_cast<size_t>(blocks));
     tbb::parallel_for(0, blocks, [&](int block) {
-        Result result{};
-        for (int y = block * kBlockRows; y < std::min(height, (block + 1) * kBlockRows); ++y)
-            result = combine(result, of_row(y));
-        results[static_cast<size_t>(block)] = result;
+        const int first = block * kBlockRows;
+        results[static_cast<size_t>(block)] = of_block(first, std::min(height, first + kBlockRows));
     });
     Result result{};
     for (const Result& block : results) result = combine(result, block);
     return result;
+}
+
+/// What `of_row(y)` gives for each row, combined in order.
+template <typename Result, typename OfRow, typename Combine>
+Result reduce_rows(int height, OfRow of_row, Combine combine) {
+    const auto of_block = [&](int first, int end) {
+        Result result{};
+        for (int y = first; y < end; ++y) result = combine(result, of_row(y));
+        return result;
+    };
+    return reduce_blocks<Result>(height, of_block, combine);
 }
 
 struct Reduction {

@@ -6,15 +6,19 @@
 namespace lightsweep {
 namespace {
 
-std::optional<double> rmse(const Image& reference, const Image& test) {
-    const Reduction sum = reduce_finite(reference, test, kSquaredDifference, kSum);
-    if (sum.values == 0) return {};
-    return std::sqrt(sum.value / static_cast<double>(sum.values));
+std::vector<std::optional<double>> rmse(const ImagePair& pair) {
+    const Reduction sum = reduce_finite(pair.reference_display, pair.test_display, kSquaredDifference, kSum);
+    if (sum.values == 0) return {std::nullopt};
+    return {std::sqrt(sum.value / static_cast<double>(sum.values))};
 }
+
+constexpr std::string_view kValues[] = {"rmse"};
 
 }  // namespace
 
-extern const Metric metric_rmse{
-    .key = "rmse", .summary = "root of the mean squared difference over all channels", .measure = rmse};
+extern const Metric metric_rmse{.key = "rmse",
+                                .summary = "root of the mean squared difference of display values",
+                                .values = kValues,
+                                .measure = rmse};
 
 }  // namespace lightsweep

@@ -1,4 +1,4 @@
-#include "bench/metrics/metrics.h"
+#include "bench/metrics/image_error.h"
 #include "bench/micro/guarded.h"
 #include "bench/micro/stages.h"
 #include "bench/micro/synthetic_journal.h"
@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace lightsweep {
@@ -101,19 +102,31 @@ void add_image_stage(const std::string& name, ColorSpace space,
     add_benchmark("image/" + name + "/1280x720", body)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
+// A metric on the linear images is HDR-FLIP, and on those of a display LDR-FLIP; what else differs is only the curve.
+void add_metric_stage(const std::string& name, ColorSpace space, const std::function<void(const ImagePair&)>& measure) {
+    const auto body = [=](benchmark::State& state) {
+        const ImagePair pair = image_pair(converted(lit_wall(), space), converted(in_half(lit_wall()), space));
+        for (auto _ : state) measure(pair);
+        state.SetItemsProcessed(state.iterations() * int64_t{kWidth} * kHeight);
+    };
+    // Metrics run on all cores: only the wall clock sees all of their work.
+    add_benchmark("metric/" + name + "/1280x720", body)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
 void add_metric_stages() {
-    for (const Metric* metric : all_metrics()) {
-        const auto body = [metric](benchmark::State& state) {
-            const Image& reference = lit_wall();
-            const Image test = in_half(reference);
-            for (auto _ : state) benchmark::DoNotOptimize(metric->measure(reference, test));
-            state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(reference.pixel_count()));
-        };
-        // Metrics run on all cores: only the wall clock sees all of their work.
-        add_benchmark("metric/" + std::string(metric->key) + "/1280x720", body)
-            ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
+    const auto all = [](const ImagePair& pair) { benchmark::DoNotOptimize(measure_error(pair)); };
+    for (const auto& [word, space] : {std::pair("ldr", ColorSpace::display), std::pair("hdr", ColorSpace::linear)}) {
+        for (const Metric* metric : all_metrics())
+            add_metric_stage(word + ("/" + std::string(metric->key)), space,
+                             [metric](const ImagePair& pair) { benchmark::DoNotOptimize(metric->measure(pair)); });
+        add_metric_stage(word + std::string("/all"), space, all);
     }
+    const auto pair = [](benchmark::State& state) {
+        const Image reference = lit_wall(), test = in_half(reference);
+        for (auto _ : state) benchmark::DoNotOptimize(image_pair(reference, test));
+        state.SetItemsProcessed(state.iterations() * int64_t{kWidth} * kHeight);
+    };
+    add_benchmark("metric/image_pair/1280x720", pair)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
 // --- Reports and statistics ---

@@ -1,13 +1,8 @@
-#include "bench/metrics/error_map.h"
-
-#include "bench/metrics/metrics.h"
+#include "bench/metrics/flip.h"
 #include "bench/metrics/reduce.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace lightsweep {
 namespace {
@@ -37,26 +32,11 @@ std::array<float, 3> magma(double t) {
 
 }  // namespace
 
-Image error_map(const Image& reference, const Image& test) {
-    require_comparable(reference, test);
-    const auto difference = [](double r, double v) { return std::abs(v - r); };
-    const double most = reduce_finite(reference, test, difference, kMax).value;
-    constexpr double kDecades = 4;
-    Image map(reference.width, reference.height, ColorSpace::display);
-    tbb::parallel_for(0, map.height, [&](int y) {
-        for (int x = 0; x < map.width; ++x) {
-            const float* r = reference.pixel(x, y);
-            const float* v = test.pixel(x, y);
-            std::array<float, 3> color = kNonfiniteColor;
-            if (all_finite({r, 3}) && all_finite({v, 3})) {
-                double error = 0;
-                for (int c = 0; c < 3; ++c) error = std::max(error, difference(r[c], v[c]));
-                color = magma(error > 0 ? std::max(0.0, 1 + std::log10(error / most) / kDecades) : 0.0);
-            }
-            std::ranges::copy(color, map.pixel(x, y));
-        }
-    });
-    return map;
+Image flip_picture(const FlipMap& map) {
+    Image picture(map.width, map.height, ColorSpace::display);
+    for (size_t i = 0; i < map.error.size(); ++i)
+        std::ranges::copy(is_finite(map.error[i]) ? magma(map.error[i]) : kNonfiniteColor, &picture.rgb[3 * i]);
+    return picture;
 }
 
 }  // namespace lightsweep
