@@ -40,9 +40,9 @@ InstanceBounds bounding_sphere(const Bounds& bounds, const glm::dmat4& m) {
     return {glm::dvec3(m * glm::dvec4(bounds.center(), 1.0)), 0.5 * glm::length(bounds.size()) * scale};
 }
 
-gl::Texture one_texel(uint8_t r, uint8_t g, uint8_t b, const char* label) {
-    gl::Texture texture({.filter = gl::Filter::trilinear, .label = label});
-    const uint8_t texel[] = {r, g, b, 255};
+gl::Texture white_texel() {
+    gl::Texture texture({.filter = gl::Filter::trilinear, .label = "white"});
+    const uint8_t texel[] = {255, 255, 255, 255};
     texture.upload_rgba8(texel);
     return texture;
 }
@@ -108,7 +108,8 @@ void GpuScene::upload_materials() {
             .metallic = m.metallic,
             .emissive = m.emissive,
             .model = static_cast<uint32_t>(m.model),
-            .normal_scale = m.normal_scale,
+            // No 8-bit texel is flat: 128 / 255 tilts the normal by a quarter of a degree. A scale of 0 is.
+            .normal_scale = m.normal_texture == kNoTexture ? 0.0F : m.normal_scale,
             .alpha_cutoff = m.alpha_cutoff,
             .specular_from_luminance = m.specular_from_luminance ? 1.0F : 0.0F,
             .id = static_cast<uint32_t>(i),
@@ -126,8 +127,7 @@ void GpuScene::upload_materials() {
         textures_.back().upload_rgba8(image.rgba);
         memory_bytes_ += textures_.back().size_bytes();
     }
-    white_ = one_texel(255, 255, 255, "white");
-    flat_normal_ = one_texel(128, 128, 255, "flat normal");
+    white_ = white_texel();
 }
 
 void GpuScene::bind(const gl::Buffer& visible_instances) const {
@@ -140,14 +140,14 @@ void GpuScene::bind_material(uint32_t material) const {
     materials_[material].bind_uniform(shared::kMaterialBlock);
     if (!needs_.textures()) return;
     const Material& m = scene_->materials[material];
-    const auto bind = [&](bool needed, int unit, int texture, const gl::Texture& otherwise) {
+    const auto bind = [&](bool needed, int unit, int texture) {
         if (!needed) return;
-        (texture == kNoTexture ? otherwise : textures_[static_cast<size_t>(texture)]).bind(static_cast<unsigned>(unit));
+        (texture == kNoTexture ? white_ : textures_[static_cast<size_t>(texture)]).bind(static_cast<unsigned>(unit));
     };
-    bind(needs_.base_color_textures, shared::kBaseColorUnit, m.base_color_texture, white_);
-    bind(needs_.metallic_roughness_textures, shared::kMetallicRoughnessUnit, m.metallic_roughness_texture, white_);
-    bind(needs_.normal_textures, shared::kNormalUnit, m.normal_texture, flat_normal_);
-    bind(needs_.emissive_textures, shared::kEmissiveUnit, m.emissive_texture, white_);
+    bind(needs_.base_color_textures, shared::kBaseColorUnit, m.base_color_texture);
+    bind(needs_.metallic_roughness_textures, shared::kMetallicRoughnessUnit, m.metallic_roughness_texture);
+    bind(needs_.normal_textures, shared::kNormalUnit, m.normal_texture);
+    bind(needs_.emissive_textures, shared::kEmissiveUnit, m.emissive_texture);
 }
 
 }  // namespace lightsweep

@@ -57,7 +57,7 @@ class GpuScene {
     gl::Buffer vertices_, indices_, instances_;
     std::vector<gl::Buffer> materials_;
     std::vector<gl::Texture> textures_;
-    gl::Texture white_, flat_normal_;
+    gl::Texture white_;
     size_t memory_bytes_ = 0;
 };
 

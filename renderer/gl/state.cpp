@@ -52,6 +52,7 @@ void apply(const RasterState& state) {
     if (changed(&RasterState::depth_compare)) glDepthFunc(kCompare[static_cast<int>(state.depth_compare)]);
     if (changed(&RasterState::depth_clamp)) enable(GL_DEPTH_CLAMP, state.depth_clamp);
     if (changed(&RasterState::cull)) set_cull(state.cull);
+    if (changed(&RasterState::mirrored)) glFrontFace(state.mirrored ? GL_CW : GL_CCW);
     if (changed(&RasterState::blend)) {
         enable(GL_BLEND, state.blend == Blend::add);
         glBlendFunc(GL_ONE, GL_ONE);
@@ -66,15 +67,21 @@ void apply(const RasterState& state) {
     current = state;
 }
 
-void apply_cull(Cull cull) {
-    if (current && current->cull == cull) return;
-    set_cull(cull);
-    if (current) current->cull = cull;
+void apply_faces(Cull cull, bool mirrored) {
+    RasterState state = current.value_or(RasterState{});
+    state.cull = cull;
+    state.mirrored = mirrored;
+    apply(state);
+}
+
+void set_clip_depth(ClipDepth clip) {
+    glClipControl(GL_LOWER_LEFT, clip == ClipDepth::zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
 }
 
 void set_context_defaults() {
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    set_clip_depth(ClipDepth::zero_to_one);
     glDisable(GL_DITHER);
+    glEnable(GL_FRAMEBUFFER_SRGB);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     forget_state();

@@ -26,6 +26,7 @@ struct RasterState {
     Compare depth_compare = Compare::less;
     bool depth_clamp = false;  ///< geometry before near or past far is kept, its depth clamped
     Cull cull = Cull::none;
+    bool mirrored = false;  ///< clockwise triangles are the front ones
     Blend blend = Blend::none;
     bool color_write = true;
     bool stencil_test = false;
@@ -40,11 +41,17 @@ Compare reversed(Compare compare);
 /// Forgets what is set; call it when the current context changed.
 void forget_state();
 void apply(const RasterState& state);
-/// Changes only the culling of the state that is set.
-void apply_cull(Cull cull);
+/// Changes only which side of triangles is drawn, and which is the front, of the state that is set.
+void apply_faces(Cull cull, bool mirrored);
 
-/// Once per context: zero-to-one clip depth, lower-left origin (so that both depth conventions keep their precision),
-/// no dithering, clip control as every path expects.
+/// Which z / w the near and far planes have before the viewport maps them to a depth of [0, 1].
+enum class ClipDepth : uint8_t {
+    zero_to_one,       ///< as every path expects: the viewport leaves the number alone, and small ones keep their bits
+    minus_one_to_one,  ///< GL's own, without glClipControl: / 2 + 1 / 2 rounds small numbers away
+};
+void set_clip_depth(ClipDepth clip);
+
+/// Once per context: zero-to-one clip depth, lower-left origin, no dithering, sRGB formats encoded when written.
 void set_context_defaults();
 
 }  // namespace lightsweep::gl

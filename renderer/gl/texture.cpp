@@ -47,6 +47,11 @@ void Texture::upload_rgba8(std::span<const uint8_t> rgba) {
     if (levels_ > 1) glGenerateTextureMipmap(id());
 }
 
+void Texture::upload_floats(std::span<const float> rgba) {
+    CHECK_THAT(rgba.size() == size_t{4} * width_ * height_, "{} floats for {}x{}", rgba.size(), width_, height_);
+    glTextureSubImage2D(id(), 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, rgba.data());
+}
+
 std::vector<float> Texture::read_floats(int components) const {
     CHECK(info(format_).kind != FormatKind::uint);
     static constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
@@ -62,6 +67,17 @@ std::vector<float> Texture::read_floats(int components) const {
 std::vector<uint8_t> Texture::read_rgba8() const {
     std::vector<uint8_t> result(size_t{4} * width_ * height_);
     glGetTextureImage(id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<int>(result.size()), result.data());
+    return result;
+}
+
+std::vector<uint32_t> Texture::read_uints(int components) const {
+    CHECK(info(format_).kind == FormatKind::uint);
+    static constexpr GLenum kFormats[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_RGB_INTEGER, GL_RGBA_INTEGER};
+    CHECK_THAT(components >= 1 && components <= 4, "{}", components);
+    std::vector<uint32_t> result(static_cast<size_t>(components) * width_ * height_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(id(), 0, kFormats[components - 1], GL_UNSIGNED_INT,
+                      static_cast<int>(result.size() * sizeof(uint32_t)), result.data());
     return result;
 }
 

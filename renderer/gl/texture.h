@@ -36,11 +36,15 @@ class Texture {
 
     /// Fills level 0 (rows in the order given, first row at t = 0) and makes the mip levels.
     void upload_rgba8(std::span<const uint8_t> rgba);
+    /// Four floats for each texel of level 0; the format decides what is left of them.
+    void upload_floats(std::span<const float> rgba);
 
     /// Blocking read of level 0 as floats, `components` per texel, first row at t = 0 (the bottom of a rendered image).
     /// Depth reads as one component; integer formats are not readable this way.
     std::vector<float> read_floats(int components) const;
     std::vector<uint8_t> read_rgba8() const;
+    /// The same of an integer format.
+    std::vector<uint32_t> read_uints(int components) const;
 
     void bind(unsigned unit) const;
 

@@ -24,6 +24,7 @@ CompiledStage compile(const Shader& shader, const gl::RasterState& state, const 
                          .compute = {},
                          .defines = setup.needs.defines(),
                          .generated = {{"generated/gbuffer.glsl", layout_glsl(setup.layout)}}};
+    desc.generated.insert(shader.replaced.begin(), shader.replaced.end());
     desc.defines.insert(desc.defines.end(), shader.defines.begin(), shader.defines.end());
     return {gl::Program(desc), state};
 }

@@ -1,5 +1,6 @@
 #include "renderer/pass/path.h"
 
+#include "renderer/pass/recorder.h"
 #include "shaders/shared/slots.h"
 
 #include <fmt/format.h>
@@ -35,6 +36,14 @@ gl::RasterState opaque_state(DepthConvention convention) {
 }
 
 gl::RasterState equal_state() { return {.depth_test = true, .depth_compare = gl::Compare::equal}; }
+
+Pass gbuffer_pass(const PathSetup& setup, const std::vector<TargetId>& targets, TargetId depth) {
+    return {.name = "gbuffer",
+            .shader = {"paths/mesh", "paths/gbuffer"},
+            .writes = join(all(targets, Load::discard), {depth, Load::clear}),
+            .state = opaque_state(setup.layout.convention),
+            .record = draw_visible_meshes};
+}
 
 std::vector<std::string> gbuffer_read_defines(const Layout& layout) {
     return {fmt::format("DEPTH_UNIT {}", shared::kTargetUnit + static_cast<int>(layout.targets.size()))};

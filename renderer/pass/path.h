@@ -7,6 +7,7 @@
 #include "renderer/gl/format.h"
 #include "renderer/gl/state.h"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,8 @@ struct Write {
 struct Shader {
     std::string vertex{}, fragment{};    ///< below shaders/, without `.vert.glsl` and `.frag.glsl`
     std::vector<std::string> defines{};  ///< besides those of the scene's needs
+    /// Text that stands for an include ("lib/brdf.glsl"): the harness plants faults this way, to see that they are found.
+    std::map<std::string, std::string> replaced{};
 };
 
 /// How many light evaluations one of a pass's shaded fragments makes: for the report's `work`.
@@ -105,6 +108,9 @@ std::vector<Write> join(std::vector<Write> writes, Write one_more);
 gl::RasterState opaque_state(DepthConvention convention);
 /// The same, but only the surface that a prepass left: equal, and no write.
 gl::RasterState equal_state();
+
+/// The pass that fills the layout's targets and the depth with what is visible.
+Pass gbuffer_pass(const PathSetup& setup, const std::vector<TargetId>& targets, TargetId depth);
 
 /// The defines that lib/gbuffer_pixel.glsl wants when a pass reads the layout's targets and then the depth.
 std::vector<std::string> gbuffer_read_defines(const Layout& layout);

@@ -116,7 +116,7 @@ void Recorder::draw_visible_meshes() {
     input_.buffers.bind(input_.scene);
     for (const DrawCall& draw : input_.frame.draws) {
         const Batch& batch = input_.scene.batches()[draw.batch];
-        gl::apply_cull(batch.double_sided ? gl::Cull::none : batch.mirrored ? gl::Cull::front : gl::Cull::back);
+        gl::apply_faces(batch.double_sided ? gl::Cull::none : gl::Cull::back, batch.mirrored);
         input_.scene.bind_material(batch.material);
         counted([&] {
             gl::draw_indexed({.first_index = batch.first_index,

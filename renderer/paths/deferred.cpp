@@ -11,11 +11,7 @@ Path build(const PathSetup& s) {
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
     path.passes = {
-        {.name = "gbuffer",
-         .shader = {"paths/mesh", "paths/gbuffer"},
-         .writes = join(all(targets, Load::discard), {path.depth, Load::clear}),
-         .state = opaque_state(s.layout.convention),
-         .record = draw_visible_meshes},
+        gbuffer_pass(s, targets, path.depth),
         {.name = "shade",
          .shader = {"paths/fullscreen", "paths/resolve", gbuffer_read_defines(s.layout)},
          .reads = join(targets, path.depth),

@@ -45,11 +45,7 @@ Path build(const PathSetup& s) {
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
     const auto read_defines = gbuffer_read_defines(s.layout);
     path.passes = {
-        {.name = "gbuffer",
-         .shader = {"paths/mesh", "paths/gbuffer"},
-         .writes = join(all(targets, Load::discard), {path.depth, Load::clear}),
-         .state = opaque_state(s.layout.convention),
-         .record = draw_visible_meshes},
+        gbuffer_pass(s, targets, path.depth),
         {.name = "base",
          .shader = {"paths/fullscreen", "paths/resolve_base", read_defines},
          .reads = join(targets, path.depth),

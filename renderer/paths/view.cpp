@@ -35,11 +35,7 @@ Path build_view(const std::string& view, const PathSetup& s) {
     auto defines = gbuffer_read_defines(s.layout);
     defines.push_back(define);
     path.passes = {
-        {.name = "gbuffer",
-         .shader = {"paths/mesh", "paths/gbuffer"},
-         .writes = join(all(targets, Load::discard), {path.depth, Load::clear}),
-         .state = opaque_state(s.layout.convention),
-         .record = draw_visible_meshes},
+        gbuffer_pass(s, targets, path.depth),
         {.name = "view",
          .shader = {"paths/fullscreen", "paths/view", defines},
          .reads = join(targets, path.depth),

@@ -48,7 +48,7 @@ struct MaterialData {
     float metallic;
     vec3 emissive;
     uint model;
-    float normal_scale;
+    float normal_scale;             // 0 without a normal map
     float alpha_cutoff;
     float specular_from_luminance;  // 1: specular is multiplied by the luminance of the base colour
     uint id;                        // index in the scene; the material view shows it
