@@ -17,8 +17,10 @@ Command add_list(CLI::App& app);
 Command add_doctor(CLI::App& app);
 /// `arguments`: of the whole program, for the report.
 Command add_run(CLI::App& app, const std::vector<std::string>& arguments);
+Command add_explore(CLI::App& app, const std::vector<std::string>& arguments);
 Command add_render(CLI::App& app);
 Command add_diff(CLI::App& app);
+Command add_encodings(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_merge(CLI::App& app);
 

@@ -25,9 +25,11 @@ int run_program(int argc, char** argv) {
         {"doctor", add_doctor},
         {"render", add_render},
         {"diff", add_diff},
+        {"encodings", add_encodings},
         {"compare", add_compare},
         {"merge", add_merge},
         {"run", [&](CLI::App& command) { return add_run(command, arguments); }},
+        {"explore", [&](CLI::App& command) { return add_explore(command, arguments); }},
     };
     std::map<std::string, Command> commands;
     std::vector<std::string> names;

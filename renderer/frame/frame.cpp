@@ -121,25 +121,31 @@ glm::dmat4 camera_projection(const Camera& camera, int width, int height, DepthC
     return glm::transpose(glm::dmat4(rows[0], rows[1], rows[2], rows[3]));
 }
 
-void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame) {
+void set_camera_constants(const FrameSetup& setup, shared::FrameData& data) {
     const Camera& camera = setup.camera;
     const CameraBasis basis = camera_basis(camera);
     const double tan_y = std::tan(glm::radians(camera.fov_y_deg) / 2.0);
     const double tan_x = tan_y * setup.width / setup.height;
-    const Frustum frustum = make_frustum(camera, basis, tan_x, tan_y);
+    data.clip_from_world = glm::mat4(camera_projection(camera, setup.width, setup.height, setup.convention));
+    data.camera_high = glm::vec3(camera.eye);
+    data.camera_low = glm::vec3(camera.eye - glm::dvec3(data.camera_high));
+    data.ray_right = glm::vec3(basis.right * tan_x);
+    data.ray_up = glm::vec3(basis.up * tan_y);
+    data.ray_forward = glm::vec3(basis.forward);
+    data.pixel_to_ndc_x = static_cast<float>(2.0 / setup.width);
+    data.pixel_to_ndc_y = static_cast<float>(2.0 / setup.height);
+    set_depth_constants(camera, setup.convention, data);
+}
+
+void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame) {
+    const Camera& camera = setup.camera;
+    const double tan_y = std::tan(glm::radians(camera.fov_y_deg) / 2.0);
+    const Frustum frustum = make_frustum(camera, camera_basis(camera), tan_y * setup.width / setup.height, tan_y);
 
     frame.work = {};
-    frame.data.clip_from_world = glm::mat4(camera_projection(camera, setup.width, setup.height, setup.convention));
-    frame.data.camera_high = glm::vec3(camera.eye);
-    frame.data.camera_low = glm::vec3(camera.eye - glm::dvec3(frame.data.camera_high));
-    frame.data.ray_right = glm::vec3(basis.right * tan_x);
-    frame.data.ray_up = glm::vec3(basis.up * tan_y);
-    frame.data.ray_forward = glm::vec3(basis.forward);
+    set_camera_constants(setup, frame.data);
     frame.data.ambient = glm::vec3(scene.scene().ambient);
     frame.data.background = glm::vec3(scene.scene().background);
-    frame.data.pixel_to_ndc_x = static_cast<float>(2.0 / setup.width);
-    frame.data.pixel_to_ndc_y = static_cast<float>(2.0 / setup.height);
-    set_depth_constants(camera, setup.convention, frame.data);
     cull_instances(scene, camera, frustum, frame);
     collect_lights(lights, camera, frustum, frame);
 }

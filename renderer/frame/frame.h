@@ -49,6 +49,9 @@ struct FrameSetup {
     DepthConvention convention = DepthConvention::reversed;
 };
 
+/// The part of the constants that the camera alone decides; `data` keeps the rest.
+void set_camera_constants(const FrameSetup& setup, shared::FrameData& data);
+
 /// Culls instances and lights against the view frustum and makes the lights camera-relative. Reuses the memory of
 /// `frame`.
 void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame);

@@ -1,12 +1,12 @@
 #include "renderer/gbuffer/layout.h"
 
-#include "renderer/base/json_reader.h"
 #include "renderer/base/names.h"
 #include "renderer/base/resources.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 
@@ -45,7 +45,8 @@ std::vector<Slot> parse_slots(const JsonReader& json) {
     return slots;
 }
 
-void check_slots(const JsonReader& json, const gl::FormatInfo& format, const StoredField& stored) {
+void check_slots(const JsonReader& json, gl::Format target_format, const StoredField& stored) {
+    const auto& format = gl::info(target_format);
     const auto& channels = stored.encoding.channels;
     if (stored.slots.size() != channels.size()) {
         json.fail(fmt::format("encoding '{}' has {} channels, but \"in\" names {} places", stored.encoding.key,
@@ -74,6 +75,10 @@ void check_slots(const JsonReader& json, const gl::FormatInfo& format, const Sto
         if (integer && channels[i] == Channel::signed_unit && slot.bit_count < 2) {
             json.fail("a signed channel needs at least 2 bits");
         }
+        if (stored.encoding.needs.grid && !channel_grid(target_format, stored, i)) {
+            json.fail(fmt::format("encoding '{}' searches among evenly spaced values; format {} has none",
+                                  stored.encoding.key, format.name));
+        }
     }
 }
 
@@ -81,29 +86,20 @@ LayoutTarget read_target(const JsonReader& json, std::map<Field, std::string>& w
     json.allow_keys({"name", "format", "fields"});
     LayoutTarget target{.name = json.at("name").string(), .format = {}, .fields = {}};
     target.format = static_cast<gl::Format>(json.at("format").choice("format", gl::format_names()));
-    const auto& format = gl::info(target.format);
-    if (format.kind == gl::FormatKind::depth) json.at("format").fail("a depth format cannot be a colour target");
+    if (gl::info(target.format).kind == gl::FormatKind::depth)
+        json.at("format").fail("a depth format cannot be a colour target");
     uint32_t used[4] = {};  // bits taken of each component
     for (const auto& item : json.at("fields").elements()) {
         item.allow_keys({"field", "encoding", "in"});
-        const auto field = static_cast<Field>(item.at("field").choice("field", field_names()));
-        const auto encoding_json = item.at("encoding");
-        encoding_json.choice("encoding", encoding_keys());
-        StoredField stored{field, load_encoding(encoding_json.string()), parse_slots(item.at("in"))};
-        const auto& carries = stored.encoding.fields;
-        if (std::find(carries.begin(), carries.end(), info(field).name) == carries.end()) {
-            encoding_json.fail(
-                fmt::format("encoding '{}' cannot carry the field '{}'", stored.encoding.key, info(field).name));
-        }
-        check_slots(item.at("in"), format, stored);
+        StoredField stored = read_stored_field(item, target.format);
         for (const Slot& slot : stored.slots) {
             const uint32_t mask =
                 slot.bit_count == 0 || slot.bit_count == 32 ? ~0U : ((1U << slot.bit_count) - 1U) << slot.low_bit;
             if ((used[slot.component] & mask) != 0) item.at("in").fail("this place is taken by another field");
             used[slot.component] |= mask;
         }
-        if (const auto [first, is_new] = where_stored.try_emplace(field, item.where()); !is_new) {
-            item.fail(fmt::format("field '{}' is stored already, at {}", info(field).name, first->second));
+        if (const auto [first, is_new] = where_stored.try_emplace(stored.field, item.where()); !is_new) {
+            item.fail(fmt::format("field '{}' is stored already, at {}", info(stored.field).name, first->second));
         }
         target.fields.push_back(std::move(stored));
     }
@@ -111,6 +107,41 @@ LayoutTarget read_target(const JsonReader& json, std::map<Field, std::string>& w
 }
 
 }  // namespace
+
+StoredField read_stored_field(const JsonReader& json, gl::Format format) {
+    const auto field = static_cast<Field>(json.at("field").choice("field", field_names()));
+    const auto encoding_json = json.at("encoding");
+    encoding_json.choice("encoding", encoding_keys());
+    StoredField stored{field, load_encoding(encoding_json.string()), parse_slots(json.at("in"))};
+    const auto& carries = stored.encoding.fields;
+    if (std::find(carries.begin(), carries.end(), info(field).name) == carries.end()) {
+        encoding_json.fail(
+            fmt::format("encoding '{}' cannot carry the field '{}'", stored.encoding.key, info(field).name));
+    }
+    check_slots(json.at("in"), format, stored);
+    return stored;
+}
+
+int channel_bits(gl::Format format, const StoredField& stored, size_t i) {
+    const Slot& slot = stored.slots[i];
+    return slot.bit_count > 0 ? slot.bit_count : gl::info(format).bits[slot.component];
+}
+
+std::optional<ChannelGrid> channel_grid(gl::Format format, const StoredField& stored, size_t i) {
+    const Channel channel = stored.encoding.channels[i];
+    const auto kind = gl::info(format).kind;
+    if (kind == gl::FormatKind::floating || format == gl::Format::SRGB8_A8) return std::nullopt;
+    if (channel == Channel::bits || channel == Channel::real) return std::nullopt;
+    const int bits = channel_bits(format, stored, i);
+    const double steps = std::ldexp(1.0, bits) - 1.0, steps_of_half = std::ldexp(1.0, bits - 1) - 1.0;
+    // An snorm component spends half of its steps on the negative side whether they are wanted or not.
+    if (kind == gl::FormatKind::snorm || (kind == gl::FormatKind::uint && channel == Channel::signed_unit)) {
+        return ChannelGrid{.step = 1.0 / steps_of_half, .offset = 0.0};
+    }
+    if (channel == Channel::unsigned_unit) return ChannelGrid{.step = 1.0 / steps, .offset = 0.0};
+    // c / 2 + 1 / 2 in unorm: an even number of values, none of them zero.
+    return ChannelGrid{.step = 2.0 / steps, .offset = 1.0 / steps};
+}
 
 bool Layout::stores(Field field) const {
     return std::any_of(targets.begin(), targets.end(), [&](const LayoutTarget& target) {

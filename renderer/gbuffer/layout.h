@@ -2,11 +2,13 @@
 // (docs/layouts.md); knows what a scene needs, and nothing of passes.
 #pragma once
 
+#include "renderer/base/json_reader.h"
 #include "renderer/frame/frame.h"
 #include "renderer/gbuffer/encoding.h"
 #include "renderer/gbuffer/field.h"
 #include "renderer/gl/format.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,16 @@ struct LayoutTarget {
     std::vector<StoredField> fields;
 };
 
+/// The values that channel `i` of a stored field can have: offset + k * step for integers k. Nothing where they are not
+/// evenly spaced (float formats, sRGB) or there are no numbers but bits.
+struct ChannelGrid {
+    double step = 0.0, offset = 0.0;
+};
+std::optional<ChannelGrid> channel_grid(gl::Format format, const StoredField& stored, size_t i);
+
+/// The bits that channel `i` takes.
+int channel_bits(gl::Format format, const StoredField& stored, size_t i);
+
 struct Layout {
     std::string key;
     std::string summary;
@@ -47,6 +59,10 @@ struct Layout {
 /// field, encoding or format, a channel that does not fit, bits that overlap, a field stored twice.
 Layout load_layout(const std::string& key_or_path);
 std::vector<std::string> layout_keys();
+
+/// One field of a target of the format `format`, from an object with the keys `field`, `encoding` and `in` (others are
+/// the caller's). Throws like load_layout.
+StoredField read_stored_field(const JsonReader& json, gl::Format format);
 
 /// The layout without the fields that a scene does not need, and without the targets that nothing is left in.
 /// Throws InputError naming the field when the scene needs one that the layout does not store (position excepted: it

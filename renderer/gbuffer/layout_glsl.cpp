@@ -73,6 +73,30 @@ std::string read_channel(const LayoutTarget& target, size_t target_index, const 
     return {};
 }
 
+// One number for each channel as a GLSL constant of the channels' type.
+std::string per_channel(const StoredField& stored, const std::vector<double>& values) {
+    std::string list;
+    for (const double value : values) list += fmt::format("{}{:.9e}", list.empty() ? "" : ", ", value);
+    return fmt::format("{}({})", stored.encoding.channel_type(), list);
+}
+
+// `encode_oct(s.normal)`, with what else the encoding needs.
+std::string encode_call(const LayoutTarget& target, const StoredField& stored) {
+    std::string arguments = fmt::format("s.{}", info(stored.field).name);
+    if (stored.encoding.needs.grid) {
+        std::vector<double> steps, offsets;
+        for (size_t i = 0; i < stored.slots.size(); ++i) {
+            const auto grid = channel_grid(target.format, stored, i);
+            CHECK(grid);  // load_layout refuses others
+            steps.push_back(grid->step);
+            offsets.push_back(grid->offset);
+        }
+        arguments += ", " + per_channel(stored, steps) + ", " + per_channel(stored, offsets);
+    }
+    if (stored.encoding.needs.pixel) arguments += ", ivec2(gl_FragCoord.xy)";
+    return fmt::format("encode_{}({})", stored.encoding.key, arguments);
+}
+
 std::string write_function(const Layout& layout) {
     std::string out, body;
     for (size_t t = 0; t < layout.targets.size(); ++t) {
@@ -82,8 +106,8 @@ std::string write_function(const Layout& layout) {
         body += fmt::format("    {} texel_{} = {}(0);\n", type, t, type);
         for (const auto& stored : target.fields) {
             const std::string_view field = info(stored.field).name;
-            body += fmt::format("    {} {}_channels = encode_{}(s.{});\n", stored.encoding.channel_type(), field,
-                                stored.encoding.key, field);
+            body += fmt::format("    {} {}_channels = {};\n", stored.encoding.channel_type(), field,
+                                encode_call(target, stored));
             for (size_t i = 0; i < stored.slots.size(); ++i) {
                 body += fmt::format("    texel_{}.{} {} {};\n", t, kComponents[stored.slots[i].component],
                                     is_integer(target) ? "|=" : "=", write_channel(target, stored, i));
@@ -94,25 +118,57 @@ std::string write_function(const Layout& layout) {
     return out + "\nvoid write_surface(Surface s) {\n" + body + "}\n";
 }
 
+std::string fetch_texel(const LayoutTarget& target, size_t t, const char* pixel) {
+    return fmt::format("    {} texel_{} = texelFetch(gbuffer_{}, {}, 0);\n", is_integer(target) ? "uvec4" : "vec4", t,
+                       t, pixel);
+}
+
+// The channels of a field as one value of their type, from texel_<t>.
+std::string read_channels(const LayoutTarget& target, size_t t, const StoredField& stored) {
+    std::string channels;
+    for (size_t i = 0; i < stored.slots.size(); ++i) {
+        channels += (i == 0 ? "" : ", ") + read_channel(target, t, stored, i);
+    }
+    return fmt::format("{}({})", stored.encoding.channel_type(), channels);
+}
+
+// A function that reads the field's channels of any pixel, for encodings that look at their neighbours.
+std::string channels_function(const LayoutTarget& target, size_t t, const StoredField& stored) {
+    return fmt::format("\n{} {}_channels(ivec2 pixel) {{\n{}    return {};\n}}\n", stored.encoding.channel_type(),
+                       info(stored.field).name, fetch_texel(target, t, "pixel"), read_channels(target, t, stored));
+}
+
+// The statements that read one field back.
+std::string read_field(const LayoutTarget& target, size_t t, const StoredField& stored) {
+    const std::string_view field = info(stored.field).name;
+    std::string before, arguments = read_channels(target, t, stored);
+    if (stored.encoding.needs.pixel) arguments += ", pixel";
+    if (stored.encoding.needs.neighbours) {
+        before +=
+            fmt::format("    {} {}_near[4];\n    vec4 {}_present;\n", stored.encoding.channel_type(), field, field);
+        before += "    for (int i = 0; i < 4; ++i) {\n";
+        before += "        ivec2 at = clamp(pixel + kNeighbours[i], ivec2(0), textureSize(gbuffer_" +
+                  std::to_string(t) + ", 0) - 1);\n";
+        before += fmt::format("        {}_near[i] = {}_channels(at);\n", field, field);
+        before += fmt::format("        {}_present[i] = at != pixel && has_surface(at) ? 1.0 : 0.0;\n    }}\n", field);
+        arguments += fmt::format(", {}_near, {}_present", field, field);
+    }
+    return before + fmt::format("    s.{} = decode_{}({});\n", field, stored.encoding.key, arguments);
+}
+
 std::string read_function(const Layout& layout) {
-    std::string in, body;
+    std::string in, functions, body;
     std::set<Field> stored_fields;
     for (size_t t = 0; t < layout.targets.size(); ++t) {
         const LayoutTarget& target = layout.targets[t];
-        const bool integer = is_integer(target);
         in += fmt::format("layout(binding = {}) uniform {} gbuffer_{};  // {}\n",
-                          shared::kTargetUnit + static_cast<int>(t), integer ? "usampler2D" : "sampler2D", t,
+                          shared::kTargetUnit + static_cast<int>(t), is_integer(target) ? "usampler2D" : "sampler2D", t,
                           target.name);
-        body += fmt::format("    {} texel_{} = texelFetch(gbuffer_{}, ivec2(frag_coord), 0);\n",
-                            integer ? "uvec4" : "vec4", t, t);
+        body += fetch_texel(target, t, "pixel");
         for (const auto& stored : target.fields) {
             stored_fields.insert(stored.field);
-            std::string channels;
-            for (size_t i = 0; i < stored.slots.size(); ++i) {
-                channels += (i == 0 ? "" : ", ") + read_channel(target, t, stored, i);
-            }
-            body += fmt::format("    s.{} = decode_{}({}({}));\n", info(stored.field).name, stored.encoding.key,
-                                stored.encoding.channel_type(), channels);
+            if (stored.encoding.needs.neighbours) functions += channels_function(target, t, stored);
+            body += read_field(target, t, stored);
         }
     }
     for (size_t i = 0; i < field_names().size(); ++i) {
@@ -121,8 +177,13 @@ std::string read_function(const Layout& layout) {
         body += field == Field::position ? std::string("    s.position = position_from_depth(frag_coord, depth);\n")
                                          : fmt::format("    s.{} = {};\n", info(field).name, info(field).otherwise);
     }
-    return in + "\nSurface read_surface(vec2 frag_coord, float depth) {\n    Surface s;\n" + body +
-           "    return s;\n}\n";
+    if (!functions.empty()) {
+        in += "\nconst ivec2 kNeighbours[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));\n";
+    }
+    return in + functions +
+           "\nSurface read_surface(vec2 frag_coord, float depth) {\n    Surface s;\n"
+           "    ivec2 pixel = ivec2(frag_coord);\n" +
+           body + "    return s;\n}\n";
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace lightsweep {
 ///     void write_surface(Surface s);
 ///     Surface read_surface(vec2 frag_coord, float depth);
 ///
+/// An encoding that looks at its neighbours wants `bool has_surface(ivec2 pixel)` defined ahead of this text.
+///
 /// A fixed-point channel c in [-1, 1] is stored in an unsigned format as c / 2 + 1 / 2. In a run of b bits, an unsigned
 /// channel is stored as round(c (2^b - 1)); a signed one as round(c (2^(b-1) - 1)) + 2^(b-1) - 1, so that -1, 0 and 1
 /// are exact.

@@ -41,6 +41,8 @@ void draw_indexed(const IndexedDraw& draw) {
 
 void draw_triangles(uint32_t vertex_count) { glDrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertex_count)); }
 
+void draw_points(uint32_t vertex_count) { glDrawArrays(GL_POINTS, 0, static_cast<int>(vertex_count)); }
+
 void dispatch(uint32_t x, uint32_t y, uint32_t z) { glDispatchCompute(x, y, z); }
 
 void memory_barrier() { glMemoryBarrier(GL_ALL_BARRIER_BITS); }

@@ -4,10 +4,15 @@
 // The bounds, worked out from the layout's data. s is the step of a channel in its own range: 1 / (2^b - 1) for b bits
 // unsigned, 2 / (2^b - 1) for a signed channel in an unsigned format, 1 / (2^(b-1) - 1) signed; 2^-10 (half) or 2^-23
 // (float) of the value in float formats. A whole step, not half of one, since some drivers truncate.
-//   linear, rgb   s
-//   gamma2        c = e^2, so 2 sqrt(c) s + s^2 <= 2 s + s^2
-//   xyz           each component off by s moves a unit vector by at most sqrt(3) s radians, up to O(s^2)
-//   oct           (x, y, 1 - |x| - |y|) is off by at most sqrt(6) s, and at least 1/sqrt(3) long: sqrt(18) s radians
+//   linear, rgb   s; in sRGB 2.4 / 1.055 s, the curve's steepest slope
+//   gamma2, sqrt  c = e^2, so 2 sqrt(c) s + s^2 <= 2 s + s^2
+//   ycocg         luma and each chroma off by s of their own: red and blue get all three, chroma halved; then as
+//   gamma2.
+//                 Holds away from edges: 19 of 20 values. Twice of it, since the missing chroma is a neighbour's.
+//   xyz, best_fit each component off by s moves a unit vector by at most sqrt(3) s radians, up to O(s^2)
+//   oct           (x, y, 1 - |x| - |y|) is off by at most sqrt(6) s, and at least 1/sqrt(3) long: sqrt(18) s radians;
+//                 so are oct_precise, and hemi_oct, whose turn by 45 degrees halves what two steps add up to. What
+//                 looks away from the viewer hemi_oct turns back to the silhouette.
 //   luminance     s, for grey speculars
 //   rebuilt z     z^2 (f - n) / (f n) for each unit of depth. In fixed point one step, and two more of 2^-24, since the
 //                 rasteriser interpolates depth in 32-bit float, whose step just below 1 that is. In float, reversed,
@@ -30,6 +35,7 @@ constexpr double kArithmetic = 4e-6;
 
 struct Bound {
     double absolute = 0.0, relative = 0.0;
+    double share = 0.0;  // of the values, may lie outside
 };
 
 Bound channel_step(const LayoutTarget& target, const StoredField& stored, size_t i) {
@@ -47,22 +53,28 @@ Bound channel_step(const LayoutTarget& target, const StoredField& stored, size_t
         case gl::FormatKind::uint:
             return {is_signed ? 1.0 / (std::ldexp(1.0, bits - 1) - 1.0) : 1.0 / (std::ldexp(1.0, bits) - 1.0), 0.0};
         default:
-            return {(is_signed ? 2.0 : 1.0) / (std::ldexp(1.0, bits) - 1.0), 0.0};
+            return {(is_signed ? 2.0 : 1.0) / (std::ldexp(1.0, bits) - 1.0) *
+                        (target.format == gl::Format::SRGB8_A8 && slot.component < 3 ? 2.4 / 1.055 : 1.0),
+                    0.0};
     }
 }
 
 // The bound of a field: of the angle in radians for the normal, of the value for the rest.
 Bound field_bound(const LayoutTarget& target, const StoredField& stored) {
     Bound step;
+    double sum = 0.0;
     for (size_t i = 0; i < stored.slots.size(); ++i) {
         const Bound s = channel_step(target, stored, i);
         step.absolute = std::max(step.absolute, s.absolute);
         step.relative = std::max(step.relative, s.relative);
+        sum += s.absolute;
     }
     const double s = step.absolute;
-    if (stored.encoding.key == "xyz") return {std::sqrt(3.0) * s * 1.1 + kArithmetic, 0.0};
-    if (stored.encoding.key == "oct") return {std::sqrt(18.0) * s + kArithmetic, 0.0};
-    if (stored.encoding.key == "gamma2") return {2.0 * s + s * s + kArithmetic, 0.0};
+    const std::string& key = stored.encoding.key;
+    if (key == "xyz" || key == "best_fit") return {std::sqrt(3.0) * s * 1.1 + kArithmetic};
+    if (key == "oct" || key == "oct_precise" || key == "hemi_oct") return {std::sqrt(18.0) * s + kArithmetic};
+    if (key == "gamma2" || key == "sqrt") return {2.0 * s + s * s + kArithmetic};
+    if (key == "ycocg") return {2.0 * (2.0 * sum + sum * sum) + kArithmetic, 0.0, 0.05};
     return {step.absolute + kArithmetic, step.relative};
 }
 
@@ -75,17 +87,29 @@ std::optional<Bound> find_bound(const Layout& layout, Field field) {
     return std::nullopt;
 }
 
+bool keeps_only_a_hemisphere(const Layout& layout) {
+    for (const auto& target : layout.targets) {
+        for (const auto& stored : target.fields) {
+            if (stored.encoding.hemisphere) return true;
+        }
+    }
+    return false;
+}
+
 class EveryLayout : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryLayout, testing::ValuesIn(layout_keys()), [](const auto& c) { return c.param; });
 
 void expect_within(const Image& truth, const Image& test, Bound bound, const std::string& what) {
     double worst = 0.0;
+    size_t outside = 0;
     for (size_t i = 0; i < truth.rgb.size(); ++i) {
         const double r = static_cast<double>(truth.rgb[i]), t = static_cast<double>(test.rgb[i]);
-        const double allowed = bound.absolute + bound.relative * std::abs(r);
-        worst = std::max(worst, std::abs(t - r) / allowed);
+        const double excess = std::abs(t - r) / (bound.absolute + bound.relative * std::abs(r));
+        worst = std::max(worst, excess);
+        outside += excess <= 1.0 ? 0 : 1;
     }
-    EXPECT_LE(worst, 1.0) << what << " is off by up to " << worst << " times its bound";
+    EXPECT_LE(static_cast<double>(outside), bound.share * static_cast<double>(truth.rgb.size()))
+        << what << " is off by up to " << worst << " times its bound";
 }
 
 TEST_P(EveryLayout, FieldsComeBack) {
@@ -109,6 +133,9 @@ TEST_P(EveryLayout, NormalsComeBack) {
     const Layout layout = drop_unneeded(load_layout(GetParam()), scene_needs(studio.scene()));
     const auto bound = find_bound(layout, Field::normal);
     ASSERT_TRUE(bound);
+    const bool hemisphere = keeps_only_a_hemisphere(layout);
+    const Camera& camera = studio.scene().camera;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     const Image truth = studio.view("normal", "float32"), test = studio.view("normal", GetParam());
     double worst = 0.0, sum = 0.0;
     size_t count = 0;
@@ -118,7 +145,8 @@ TEST_P(EveryLayout, NormalsComeBack) {
         if (a == glm::dvec3(0.0)) continue;  // background
         EXPECT_NEAR(glm::length(b), 1.0, 1e-5) << "renormalised";
         const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-        worst = std::max(worst, angle);
+        const double behind = hemisphere ? std::max(std::asin(glm::dot(a, forward)), 0.0) : 0.0;
+        worst = std::max(worst, angle - behind);
         sum += angle;
         ++count;
     }

@@ -1,6 +1,6 @@
-// fields: emissive
+// fields: emissive base_color
 // channels: bits
-// summary: radiance as three 9-bit mantissas with one 5-bit exponent
+// summary: radiance or colour as three 9-bit mantissas with one 5-bit exponent
 // source: EXT_texture_shared_exponent, section "Appendix: shared exponent conversion"; largest value 65408
 uint encode_rgb9e5(vec3 c) {
     vec3 clamped = clamp(c, vec3(0.0), vec3(65408.0));
