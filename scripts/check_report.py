@@ -65,6 +65,51 @@ def sample_faults(cell, where):
             yield f"{where}/statistics/{key}", "count, min or max is not that of the samples"
 
 
+def display_error(cell, metric):
+    """Against the reference; None where there is none."""
+    error = cell["error"] and cell["error"]["reference"]
+    return error and error["display"][metric]
+
+
+def front_faults(pareto, error_of, where):
+    points = {point["id"]: (point["time_ns"], point["error"]) for point in pareto["points"]}
+    members = pareto["front"] + pareto["dominated"]
+    if sorted(members) != sorted(point["id"] for point in pareto["points"]) or len(points) != len(members):
+        yield where, "front and dominated together are not the points, each once"
+        return
+    for index, point in enumerate(pareto["points"]):
+        if point["error"] != error_of[point["id"]]:
+            yield f"{where}/points/{index}/error", f"is {point['error']}, but the cell's is {error_of[point['id']]}"
+        # The error's interval is around the mean of the picture's regions, which need not be equally large.
+        for key, parts in (("time_ns", ("time_low_ns", "time_ns", "time_high_ns")), ("error", ("error_low", "error_high"))):
+            known = [point[part] for part in parts if point[part] is not None]
+            if known != sorted(known):
+                yield f"{where}/points/{index}/{key}", "is not within its interval"
+
+    def beaten(point):
+        return any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points.values())
+
+    for kind, is_front in (("front", True), ("dominated", False)):
+        for index, member in enumerate(pareto[kind]):
+            if beaten(points[member]) == is_front:
+                yield f"{where}/{kind}/{index}", f"is {'beaten in both' if is_front else 'beaten by none'}"
+    times = [points[member][0] for member in pareto["front"]]
+    if times != sorted(times):
+        yield f"{where}/front", "is not in the order of time"
+
+
+def answer_faults(answer, group_of, where):
+    named = [answer["arm"], answer["runner_up"], *answer["uncertain"]]
+    if any(group_of.get(member) != answer["group"] for member in named if member is not None):
+        yield where, "a cell is not of the group"
+    if (answer["arm"] is None) != (answer["reason"] is not None):
+        yield f"{where}/reason", "stands beside a winner, or there is neither"
+    if answer["runner_up"] is not None and answer["arm"] in (None, answer["runner_up"]):
+        yield f"{where}/runner_up", "is the winner, or has none before it"
+    if (answer["runner_up"] is None) != (answer["verdict"] is None):
+        yield f"{where}/verdict", "stands without a runner-up, or is missing beside one"
+
+
 def invariant_faults(report):
     cells = report["cells"]
     ids = collections.Counter(cell["id"] for cell in cells)
@@ -80,10 +125,19 @@ def invariant_faults(report):
             yield f"/pairs/{index}", "a or b is not a cell of the group"
         if None not in (pair["low"], pair["ratio"], pair["high"]) and not pair["low"] <= pair["ratio"] <= pair["high"]:
             yield f"/pairs/{index}", "the ratio is not within its interval"
+    groups = set(group_of.values())
+    referred = collections.Counter(reference["group"] for reference in report["references"])
+    for group, count in referred.items():
+        if group not in groups or count > 1:
+            yield "/references", f"the group '{group}' has no cell, or stands {count} times"
+    error_of = {cell["id"]: display_error(cell, "flip_mean") for cell in cells}
     for index, pareto in enumerate(report["pareto"]):
-        members = pareto["front"] + pareto["dominated"]
-        if len(set(members)) != len(members) or any(group_of.get(member) != pareto["group"] for member in members):
-            yield f"/pareto/{index}", "a cell stands twice, or is not of the group"
+        if any(group_of.get(point["id"]) != pareto["group"] for point in pareto["points"]):
+            yield f"/pareto/{index}", "a cell is not of the group"
+        else:
+            yield from front_faults(pareto, error_of, f"/pareto/{index}")
+    for index, answer in enumerate(report["answers"]):
+        yield from answer_faults(answer, group_of, f"/answers/{index}")
 
     summary = report["summary"]
     counts = collections.Counter(cell["status"] for cell in cells)

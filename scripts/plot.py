@@ -1,25 +1,20 @@
 #!/usr/bin/env python3
-"""Draws a report: time over lights, ratio to forward, time per pass, time against error; one figure each per scene.
+"""Draws a report: time over lights, ratio to forward, time per pass, time against error, field errors, FLIP maps.
 
-Usage: plot.py REPORT [--out DIR]      writes PNG and SVG (into the report's folder unless told) and prints their paths; what
-cannot be drawn is said on stderr. Exit code 2 on bad input. Debian: python3-matplotlib.
+Usage: plot.py REPORT [--out DIR] [--error METRIC]      one figure each per scene; writes PNG and SVG (into the report's folder
+unless told) and prints their paths; what cannot be drawn is said on stderr. The maps are looked for in the report's folder.
+Exit code 2 on bad input. Debian: python3-matplotlib.
 """
 
 import argparse
+import functools
 import pathlib
 import re
 import sys
 
-from plotting import over_lights, per_pass, time_error
+from plotting import field_errors, flip_maps, over_lights, per_pass, time_error
 from plotting import report as data
 from plotting import style
-
-FIGURES = {
-    "time_over_lights": over_lights.draw_time,
-    "ratio_to_forward": over_lights.draw_ratio,
-    "time_per_pass": per_pass.draw,
-    "time_against_error": time_error.draw,
-}
 
 
 def file_words(scenes):
@@ -35,7 +30,19 @@ def file_words(scenes):
     return words
 
 
-def draw_all(report, folder):
+def figures_of(arguments):
+    """{name: what draws it from (report, scene, cells, paths)}"""
+    return {
+        "time_over_lights": over_lights.draw_time,
+        "ratio_to_forward": over_lights.draw_ratio,
+        "time_per_pass": per_pass.draw,
+        "time_against_error": functools.partial(time_error.draw, metric=arguments.error),
+        "field_errors": field_errors.draw,
+        "flip_maps": functools.partial(flip_maps.draw, folder=arguments.report.parent / "maps"),
+    }
+
+
+def draw_all(report, figures, folder):
     """Yields (files, None) for each figure, or (nothing, a line on what is missing)."""
     scenes = data.scenes(report)
     if not scenes:
@@ -43,7 +50,7 @@ def draw_all(report, folder):
     words = file_words(scenes)
     paths = list(dict.fromkeys(cell["params"]["path"] for cells in scenes.values() for cell in cells))
     for scene, cells in scenes.items():
-        for name, draw in FIGURES.items():
+        for name, draw in figures.items():
             figure, why_not = draw(report, scene, cells, paths)
             if figure is None:
                 yield [], f"no {name} of {data.name_of(scene)}: {why_not}"
@@ -55,12 +62,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("report", type=pathlib.Path, metavar="REPORT")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="where the pictures go (default: beside the report)")
+    parser.add_argument("--error", choices=time_error.METRICS, default="flip_mean",
+                        help="of time_against_error: of display values against the reference (default: %(default)s)")
     arguments = parser.parse_args()
     folder = arguments.out or arguments.report.parent
     try:
         report = data.load(arguments.report)
         folder.mkdir(parents=True, exist_ok=True)
-        for files, missing in draw_all(report, folder):
+        for files, missing in draw_all(report, figures_of(arguments), folder):
             for file in files:
                 print(file)
             if missing:

@@ -1,6 +1,6 @@
 // lightsweep run: measures a sweep, group by group; each finished group is on disk before the next begins.
+#include "bench/cli/run.h"
 #include "bench/cli/commands.h"
-#include "bench/cli/device_options.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/summary.h"
 #include "bench/measure/catalog.h"
@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <limits>
@@ -35,15 +36,6 @@ namespace fs = std::filesystem;
 std::atomic<bool> interrupted{false};
 
 extern "C" void on_interrupt(int) { interrupted = true; }
-
-struct Options {
-    DeviceOptions device;
-    std::string sweep = "default";
-    std::vector<std::string> axes;
-    std::string out, time_budget, target_ci, filter, shard = "1/1", timer;
-    int64_t seed = 0;
-    bool resume = false, dry_run = false, allow_debug = false;
-};
 
 // "90s", "3m", "1h", or a number of seconds; "2%" or a fraction.
 double parse_quantity(const std::string& option, const std::string& text,
@@ -64,6 +56,28 @@ double parse_duration(const std::string& text) {
 
 double parse_share(const std::string& text) {
     return parse_quantity("--target-ci", text, {{"", 1.0}, {"%", 0.01}}, "a share such as 2% or 0.02");
+}
+
+double parse_time_ns(const std::string& text) {
+    return parse_quantity("--max-time", text, {{"ns", 1.0}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}},
+                          "a time such as 8ms, 500us or 0.02s");
+}
+
+// "flip=0.01". Only metrics whose smaller values are better can be bounded from above.
+ErrorLimit parse_error_limit(const std::string& text) {
+    static const std::vector<std::string> kMetrics{"flip", "flip_mean", "rmse", "mrse", "max_abs"};
+    const size_t sign = text.find('=');
+    const std::string metric = text.substr(0, sign);
+    if (std::ranges::find(kMetrics, metric) == kMetrics.end()) {
+        throw InputError("--max-error " + text, unknown_name("metric", metric, kMetrics));
+    }
+    const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
+    double limit = 0.0;
+    const auto [rest, failure] = std::from_chars(number.data(), number.data() + number.size(), limit);
+    if (failure != std::errc() || rest != number.data() + number.size() || !std::isfinite(limit) || limit < 0.0) {
+        throw InputError("--max-error " + text, "METRIC=VALUE with a number from 0 was expected, such as flip=0.01");
+    }
+    return {.metric = metric == "flip" ? "flip_mean" : metric, .limit = limit};
 }
 
 // Everything a user may have got wrong, found before a context is made or a file is written.
@@ -88,14 +102,14 @@ int print_plan(const Plan& plan) {
     return kDone;
 }
 
-fs::path output_folder(const Options& options, const Sweep& sweep) {
+fs::path output_folder(const RunOptions& options, const Sweep& sweep) {
     if (!options.out.empty()) return options.out;
     std::string stamp = utc_now();  // 2026-01-31T12:00:00Z
     std::erase_if(stamp, [](char c) { return c == '-' || c == ':' || c == 'Z'; });
     return fs::path("out") / (fs::path(sweep.key).stem().string() + "-" + stamp);
 }
 
-RunInfo make_run_info(const Plan& plan, const Options& options, std::optional<double> budget_s, double target_ci,
+RunInfo make_run_info(const Plan& plan, const RunOptions& options, std::optional<double> budget_s, double target_ci,
                       const std::vector<std::string>& arguments) {
     RunInfo run;
     run.arguments = arguments;
@@ -110,6 +124,8 @@ RunInfo make_run_info(const Plan& plan, const Options& options, std::optional<do
     run.started_at = utc_now();
     run.time_budget_s = budget_s;
     run.target_ci = target_ci;
+    if (!options.max_error.empty()) run.max_error = parse_error_limit(options.max_error);
+    if (!options.max_time.empty()) run.max_time_ns = parse_time_ns(options.max_time);
     return run;
 }
 
@@ -121,16 +137,30 @@ std::string group_line(const GroupResult& group) {
                        group.wall_s);
 }
 
+// What this command asks replaces what the journal's first one asked: answers are worked out from samples.
+JournalContent read_with_questions(const fs::path& journal_file, const RunInfo& asked) {
+    JournalContent journal = read_journal(journal_file);
+    if (asked.max_error) journal.run.max_error = asked.max_error;
+    if (asked.max_time_ns) journal.run.max_time_ns = asked.max_time_ns;
+    return journal;
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) throw InputError(folder.string(), "cannot be made: " + failure.message());
+}
+
 // Runs what the journal does not hold yet. Time that a fast group leaves goes to those after it.
 void run_groups(const Plan& plan, const std::set<std::string>& done, GroupRunner& runner, JournalWriter& journal,
-                std::optional<double> budget_s, double target_ci, int64_t start_ns) {
+                std::optional<double> budget_s, const SamplingRules& all_groups, int64_t start_ns) {
     const auto seconds = [&] { return static_cast<double>(now_ns() - start_ns) * 1e-9; };
     ProgressBar bar(plan.groups.size(), budget_s);
     double last = 0.0;
     for (size_t i = 0; i < plan.groups.size() && !interrupted; ++i) {
         const PlanGroup& group = plan.groups[i];
         if (done.contains(group.key)) continue;
-        SamplingRules rules{.target_ci = target_ci};
+        SamplingRules rules = all_groups;
         if (budget_s)
             rules.seconds = std::max(0.0, *budget_s - seconds()) / static_cast<double>(plan.groups.size() - i);
         GroupResult result = runner.run(group, rules, [&](double fraction) { bar.update(i, fraction, group.key); });
@@ -143,7 +173,9 @@ void run_groups(const Plan& plan, const std::set<std::string>& done, GroupRunner
     bar.clear();
 }
 
-int run(const Options& options, const std::vector<std::string>& arguments) {
+}  // namespace
+
+int run_sweep(const RunOptions& options, const std::vector<std::string>& arguments) {
     const int64_t start_ns = now_ns();
     if (program_build_type() == "Debug" && !options.allow_debug && !options.dry_run) {
         throw EnvironmentError("this is a Debug build: its times say nothing; build Release (or give --allow-debug)");
@@ -160,6 +192,7 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
         std::find(timer_methods().begin(), timer_methods().end(), options.timer) == timer_methods().end()) {
         throw InputError(unknown_name("timer", options.timer, timer_methods()));
     }
+    const RunInfo info = make_run_info(plan, options, budget_s, target_ci, arguments);
     SceneStore scenes(options.seed);
     check_inputs(plan, scenes);
     if (options.dry_run) return print_plan(plan);
@@ -168,7 +201,6 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     const fs::path journal_file = folder / "journal.jsonl", report_file = folder / "report.json";
     const auto context = options.device.make_context();
     const Environment environment = read_environment(*context);
-    const RunInfo info = make_run_info(plan, options, budget_s, target_ci, arguments);
     const bool resuming = options.resume && fs::exists(journal_file);
     std::set<std::string> done;
     TimerReport timer;
@@ -188,9 +220,9 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
         timer = options.timer.empty() ? choose_timer(test_timers(all_timers())) : choose_timer({}, options.timer);
     }
 
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) throw InputError(folder.string(), "cannot be made: " + failure.message());
+    SamplingRules rules{.target_ci = target_ci};
+    if (options.maps || sweep.maps) rules.maps_folder = folder / "maps";
+    make_folder(rules.maps_folder.empty() ? folder : rules.maps_folder);
     JournalWriter journal =
         resuming ? JournalWriter::resume(journal_file) : JournalWriter::create(journal_file, info, environment, timer);
     fmt::print(stderr, "{}: {} cells in {} groups on {}; timer {}\n", sweep.key, plan.cell_count, plan.groups.size(),
@@ -198,11 +230,11 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     GroupRunner runner(scenes, timer.method, interrupted);
-    run_groups(plan, done, runner, journal, budget_s, target_ci, start_ns);
+    run_groups(plan, done, runner, journal, budget_s, rules, start_ns);
 
-    const Json report = assemble_report(read_journal(journal_file));
+    const Json report = assemble_report(read_with_questions(journal_file, info));
     write_file_atomically(report_file, report_text(report) + "\n");
-    fmt::print("{}\nreport: {}\n", summary_text(report), report_file.string());
+    fmt::print("{}\nreport: {}\n{}", summary_text(report), report_file.string(), answers_text(report));
     if (interrupted) {
         fmt::print(stderr, "interrupted; the same command with --resume and --out {} goes on\n", folder.string());
         return kInterrupted;
@@ -213,10 +245,8 @@ int run(const Options& options, const std::vector<std::string>& arguments) {
     return all_ok ? kDone : kCellsFailed;
 }
 
-}  // namespace
-
 Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "measure a sweep");
     options->device.add(*command);
     command->add_option("sweep", options->sweep, "key or .json file of a sweep")->capture_default_str();
@@ -230,6 +260,12 @@ Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
     command->add_option("--time-budget", options->time_budget, "for the whole run: 90s, 3m, 1h");
     command->add_option("--target-ci", options->target_ci,
                         "stop a group when its medians are known to this half width: 2%");
+    command->add_option("--max-error", options->max_error,
+                        "ask for the cheapest arm within this error against the reference: flip=0.01 (or rmse, mrse, "
+                        "max_abs, of display values)");
+    command->add_option("--max-time", options->max_time,
+                        "ask for the most exact arm within this time: 8ms, 500us, 0.02s");
+    command->add_flag("--maps", options->maps, "write each cell's FLIP map to maps/<cell id>.png in the output folder");
     command->add_option("--filter", options->filter, "only cells whose name matches this regular expression");
     command->add_option("--shard", options->shard, "i/n: only this part of the groups")->capture_default_str();
     command->add_flag("--resume", options->resume, "go on with the journal in --out");
@@ -238,7 +274,7 @@ Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
     command->add_option("--timer", options->timer, "use this timer, without the self-test");
     command->add_flag("--dry-run", options->dry_run, "print the plan and stop");
     command->add_flag("--allow-debug", options->allow_debug, "measure with a Debug build all the same");
-    return [options, arguments] { return run(*options, arguments); };
+    return [options, arguments] { return run_sweep(*options, arguments); };
 }
 
 }  // namespace lightsweep

@@ -4,18 +4,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace lightsweep {
 namespace {
 
+std::string unit_of(const std::string& time) { return time.substr(time.find(' ')); }
+
+// Without the unit where both ends share it with the median, which stands beside: `4.18 - 4.25`.
 std::string interval_text(const Json& statistics) {
+    if (statistics.at("low").is_null() && statistics.at("high").is_null()) return "-";
+    const std::string unit = unit_of(time_text(statistics.at("median").get<double>()));
     const auto end = [&](const char* key) {
-        return statistics.at(key).is_null() ? std::string("?") : time_text(statistics.at(key).get<double>());
+        if (statistics.at(key).is_null()) return std::string("?");
+        std::string text = time_text(statistics.at(key).get<double>());
+        if (unit_of(text) == unit) text.resize(text.size() - unit.size());
+        return text;
     };
-    return fmt::format("[{}, {}]", end("low"), end("high"));
+    return fmt::format("{} - {}", end("low"), end("high"));
 }
 
-std::string number_text(const Json& value) {
-    return value.is_null() ? "-" : fmt::format("{:.2e}", value.get<double>());
+std::string number_text(const Json& value, const char* format) {
+    return value.is_null() ? "-" : fmt::format(fmt::runtime(format), value.get<double>());
 }
 
 std::string arm_text(const Json& arm) {
@@ -24,21 +36,53 @@ std::string arm_text(const Json& arm) {
     return text + "/" + arm.at("hdr").get<std::string>();
 }
 
+// Flip, RMSE, normal, packing: what the note below the table says.
+std::vector<std::string> error_columns(const Json& error) {
+    if (error.is_null() || error.at("reference").is_null()) return {"-", "-", "-", "-"};
+    const Json& display = error.at("reference").at("display");
+    const Json& fields = error.at("fields");
+    const Json& share = error.at("packing_share");
+    return {number_text(display.at("flip_mean"), "{:.1e}"), number_text(display.at("rmse"), "{:.1e}"),
+            fields.contains("normal") ? number_text(fields.at("normal").at("mean_deg"), "{:.2g}") : "-",
+            share.is_null() ? "-" : fmt::format("{:.0f} %", 100.0 * share.get<double>())};
+}
+
+// What all cells share is said once, above the table, which then fits a terminal.
 std::string cell_table(const Json& report) {
-    Table table({"scene", "lights", "size", "path", "layout", "hdr", "time", "95 % interval", "error", "B/px"});
+    const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "hdr"};
+    std::vector<std::vector<std::string>> rows;
     for (const auto& cell : report.at("cells")) {
         if (cell.at("status") != "ok") continue;
         const auto& p = cell.at("params");
         const auto& wall = cell.at("statistics").at("wall_ns");
-        const auto& error = cell.at("error");
-        table.add({p.at("scene").get<std::string>(), p.at("lights").dump(),
-                   fmt::format("{}x{}", p.at("width_px").get<int>(), p.at("height_px").get<int>()),
-                   p.at("path").get<std::string>(), p.at("layout").is_null() ? "" : p.at("layout").get<std::string>(),
-                   p.at("hdr").get<std::string>(), time_text(wall.at("median").get<double>()), interval_text(wall),
-                   error.is_null() ? "-" : number_text(error.at("display").at("rmse")),
-                   cell.at("work").at("target_bytes_per_px").dump()});
+        std::vector<std::string> row{p.at("scene").get<std::string>(),
+                                     p.at("lights").dump(),
+                                     fmt::format("{}x{}", p.at("width_px").get<int>(), p.at("height_px").get<int>()),
+                                     p.at("path").get<std::string>(),
+                                     p.at("layout").is_null() ? "" : p.at("layout").get<std::string>(),
+                                     p.at("hdr").get<std::string>(),
+                                     time_text(wall.at("median").get<double>()),
+                                     interval_text(wall)};
+        std::ranges::move(error_columns(cell.at("error")), std::back_inserter(row));
+        row.push_back(cell.at("work").at("target_bytes_per_px").dump());
+        rows.push_back(std::move(row));
     }
-    return table.text() + "time: median frame; error: RMSE of display values against the control arm\n";
+    std::vector<std::string> header{"scene", "lights", "size", "path",   "layout",  "hdr", "time",
+                                    "95 %",  "FLIP",   "RMSE", "normal", "packing", "B/px"};
+    std::string shared;
+    for (size_t column = names.size(); column-- > 0 && rows.size() > 1;) {
+        const std::string& value = rows.front()[column];
+        if (!std::ranges::all_of(rows, [&](const auto& row) { return row[column] == value; })) continue;
+        if (!value.empty()) shared = fmt::format("{} {}{}", names[column], value, shared.empty() ? "" : ", ") + shared;
+        header.erase(header.begin() + static_cast<std::ptrdiff_t>(column));
+        for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    }
+    Table table(std::move(header));
+    for (auto& row : rows) table.add(std::move(row));
+    return (shared.empty() ? "" : "all cells: " + shared + "\n") + table.text() +
+           "time: median frame with its interval; errors of the display picture against the reference: mean FLIP, "
+           "RMSE;\n"
+           "normal: mean angle of the decoded normals in degrees; packing: its share of the squared error\n";
 }
 
 std::string crossover_text(const Json& report) {
@@ -81,6 +125,19 @@ std::string summary_text(const Json& report) {
                             run.at("wall_s").get<double>());
     }
     return text + "\n";
+}
+
+std::string answers_text(const Json& report) {
+    std::string text;
+    std::string group;
+    for (const auto& answer : report.at("answers")) {
+        if (answer.at("group") != group) {
+            group = answer.at("group").get<std::string>();
+            text += "\n" + group + "\n";
+        }
+        text += "  " + answer.at("statement").get<std::string>() + "\n";
+    }
+    return text;
 }
 
 }  // namespace lightsweep

@@ -1,4 +1,4 @@
-// The end of a run on the terminal: the table of cells, the crossovers, what was left out.
+// The end of a run on the terminal: the table of cells, the crossovers, what was left out, the answers.
 #pragma once
 
 #include "bench/report/record.h"
@@ -9,5 +9,8 @@ namespace lightsweep {
 
 /// From the report's JSON alone.
 std::string summary_text(const Json& report);
+
+/// The answers to --max-error and --max-time, group by group, each after an empty line; empty when nothing was asked.
+std::string answers_text(const Json& report);
 
 }  // namespace lightsweep

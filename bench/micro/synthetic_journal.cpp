@@ -1,5 +1,6 @@
 #include "bench/micro/synthetic_journal.h"
 
+#include "bench/report/time_error.h"
 #include "renderer/base/random.h"
 
 #include <array>
@@ -10,6 +11,28 @@ namespace {
 // Integer nanoseconds around `center_ns`, 5 percent to either side.
 int64_t frame_time_ns(double center_ns, Random& random) {
     return static_cast<int64_t>(center_ns * random.uniform(0.95, 1.05));
+}
+
+ImageError image_error(Random& random) {
+    ImageError error;
+    for (size_t i = 0; i < metric_value_keys().size(); ++i) error.values.emplace_back(random.uniform(0.0, 0.1));
+    return error;
+}
+
+CellError cell_error(bool has_layout, Random& random) {
+    CellError error;
+    error.reference = {.hdr = image_error(random), .display = image_error(random)};
+    error.control = {.hdr = image_error(random), .display = image_error(random)};
+    error.packing_share = random.uniform(0.0, 1.0);
+    error.flip_mean_low = 0.9 * *error.reference->display.value(kErrorMetric);
+    error.flip_mean_high = 1.1 * *error.reference->display.value(kErrorMetric);
+    if (has_layout) {
+        for (const auto& [field, unit] : {std::pair{"normal", "deg"}, {"position", "rel"}, {"base_color", "abs"}}) {
+            const double mean = random.uniform(0.0, 0.01);
+            error.fields.push_back({.field = field, .unit = unit, .mean = mean, .p99 = 3.0 * mean, .max = 9.0 * mean});
+        }
+    }
+    return error;
 }
 
 CellResult cell_result(const CellParams& params, int frames, double center_ns, Random& random) {
@@ -33,9 +56,7 @@ CellResult cell_result(const CellParams& params, int frames, double center_ns, R
         const std::array<int64_t, 3> passes_ns{gbuffer_ns, shade_ns, gpu_ns - gbuffer_ns - shade_ns};
         for (size_t p = 0; p < passes_ns.size(); ++p) cell.samples.passes[p].second.push_back(passes_ns[p]);
     }
-    Image reference(1, 1, ColorSpace::linear), test(1, 1, ColorSpace::linear);
-    test.rgb[0] = static_cast<float>(random.uniform(0.0, 0.1));
-    cell.error = CellError{"control", compare_images(reference, test), compare_images(reference, test)};
+    cell.error = cell_error(!params.layout.empty(), random);
     return cell;
 }
 
@@ -64,6 +85,12 @@ JournalContent synthetic_journal(int groups, int frames) {
             group.cells.push_back(cell_result(params, frames, center_ns, random));
             center_ns *= 1.1;
         }
+        group.reference = {.key = "0011223344556677",
+                           .from_cache = true,
+                           .seconds = 0.01,
+                           .subpixel_bits = 8,
+                           .control_exact = RelativeError{.median = 1e-7, .p99 = 1e-6, .max = 1e-3, .above_1e4_px = 9},
+                           .control_snapped = {}};
         const CellResult& first = group.cells.front();
         group.group = first.group;
         group.noise = NoiseTwin{first.name, first.samples.round, {}};

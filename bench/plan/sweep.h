@@ -15,6 +15,7 @@ struct Sweep {
     std::vector<AxisValues> blocks;
     std::optional<double> time_budget_s;  ///< for the whole run; nothing: none
     std::optional<double> target_ci;      ///< half width of a median's interval, as a fraction of it
+    bool maps = false;                    ///< write each cell's FLIP map
 };
 
 /// Reads a shipped sweep by its key (bench/sweeps/<key>.json) or a user's by its path. Throws InputError.

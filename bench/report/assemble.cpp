@@ -1,5 +1,6 @@
 #include "bench/report/assemble.h"
 
+#include "bench/report/answers.h"
 #include "bench/report/crossovers.h"
 #include "bench/report/json_codec.h"
 #include "bench/report/pairs.h"
@@ -119,30 +120,52 @@ Json crossovers_json(const std::vector<GroupResult>& groups) {
     return crossovers;
 }
 
+Json references_json(const std::vector<GroupResult>& groups) {
+    Json references = Json::array();
+    for (const auto& group : groups) {
+        if (!group.reference) continue;
+        Json reference{{"group", group.group}};
+        reference.update(to_json(*group.reference));
+        references.push_back(std::move(reference));
+    }
+    return references;
+}
+
 Json pareto_json(const std::vector<GroupResult>& groups) {
     Json result = Json::array();
     for (const auto& group : groups) {
         std::vector<std::string> ids;
-        std::vector<TimeAndError> points;
-        for (const auto& cell : group.cells) {
-            if (!cell.measured() || !cell.error) continue;
-            const auto rmse = cell.error->display.value("rmse");
-            if (!rmse) continue;
-            const std::vector<double> wall_ns(cell.samples.wall_ns.begin(), cell.samples.wall_ns.end());
-            ids.push_back(cell.id);
-            points.push_back({.time = median(wall_ns), .error = *rmse});
+        std::vector<TimeAndError> coordinates;
+        Json points = Json::array();
+        for (const auto& [cell, time_ns, error] : time_error_points(group, kErrorMetric)) {
+            ids.push_back(cell->id);
+            coordinates.push_back({.time = time_ns.estimate, .error = error.estimate});
+            points.push_back({{"id", cell->id},
+                              {"time_ns", encode(time_ns.estimate)},
+                              {"time_low_ns", encode(time_ns.low)},
+                              {"time_high_ns", encode(time_ns.high)},
+                              {"error", encode(error.estimate)},
+                              {"error_low", encode(error.low)},
+                              {"error_high", encode(error.high)}});
         }
-        if (points.empty()) continue;
+        if (ids.empty()) continue;
         std::vector<std::string> front;
-        for (const size_t index : pareto_front(points)) front.push_back(ids[index]);
+        for (const size_t index : pareto_front(coordinates)) front.push_back(ids[index]);
         std::erase_if(ids, [&](const std::string& id) { return std::ranges::find(front, id) != front.end(); });
         result.push_back({{"group", group.group},
                           {"metric_time", "wall_ns"},
-                          {"metric_error", "display.rmse"},
+                          {"metric_error", error_key(kErrorMetric)},
                           {"front", front},
-                          {"dominated", ids}});
+                          {"dominated", ids},
+                          {"points", std::move(points)}});
     }
     return result;
+}
+
+Json answers_json(const JournalContent& journal, std::optional<double> floor) {
+    Json answers = Json::array();
+    for (const auto& answer : answer_questions(journal.run, journal.groups, floor)) answers.push_back(to_json(answer));
+    return answers;
 }
 
 Json summary_json(const JournalContent& journal) {
@@ -185,10 +208,12 @@ Json assemble_report(const JournalContent& journal) {
             {"environment", to_json(journal.environment)},
             {"timer", to_json(journal.timer)},
             {"noise", noise_json(journal.groups, floor)},
+            {"references", references_json(journal.groups)},
             {"cells", cells_json(journal.groups)},
             {"pairs", pairs_json(journal.groups, floor)},
             {"crossovers", crossovers_json(journal.groups)},
             {"pareto", pareto_json(journal.groups)},
+            {"answers", answers_json(journal, floor)},
             {"summary", std::move(summary)}};
 }
 

@@ -46,6 +46,7 @@ JournalContent read_journal(const std::filesystem::path& file) {
         const Json line = parse_line(std::string_view(text).substr(begin, end - begin), where);
         if (number == 1) {
             require_kind(line, "run", where);
+            require_schema(line.value("schema", Json()), where + ":/schema");
             journal.run = from_json<RunInfo>(take(line, "run", where), where + ":/run");
             journal.environment = from_json<Environment>(take(line, "environment", where), where + ":/environment");
             journal.timer = from_json<TimerReport>(take(line, "timer", where), where + ":/timer");
@@ -92,8 +93,11 @@ std::set<std::string> finished_groups(const JournalContent& journal, const std::
 JournalWriter JournalWriter::create(const std::filesystem::path& file, const RunInfo& run,
                                     const Environment& environment, const TimerReport& timer) {
     JournalWriter writer(file, O_CREAT | O_EXCL);
-    writer.append_line(
-        {{"kind", "run"}, {"run", to_json(run)}, {"environment", to_json(environment)}, {"timer", to_json(timer)}});
+    writer.append_line({{"kind", "run"},
+                        {"schema", kReportSchema},
+                        {"run", to_json(run)},
+                        {"environment", to_json(environment)},
+                        {"timer", to_json(timer)}});
     return writer;
 }
 

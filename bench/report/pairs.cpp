@@ -72,10 +72,14 @@ std::optional<double> noise_floor(const std::vector<GroupResult>& groups) {
     return floor;
 }
 
-std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor) {
+std::optional<double> floor_of(const GroupResult& group, std::optional<double> run_floor) {
     const auto twin = noise_ratio(group);
     const auto own_floor = twin ? noise_floor(*twin) : std::nullopt;
-    const auto floor = own_floor ? own_floor : run_floor;
+    return own_floor ? own_floor : run_floor;
+}
+
+std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor) {
+    const auto floor = floor_of(group, run_floor);
     const auto pairs = arms_to_compare(group);
     std::vector<ArmPair> result;
     for (const auto& [a, b] : pairs) {

@@ -32,6 +32,9 @@ std::optional<double> noise_floor(const PairedRatio& twin);
 /// The largest floor of the groups; nothing when none has one.
 std::optional<double> noise_floor(const std::vector<GroupResult>& groups);
 
+/// The floor that the arms of a group are judged by: the group's own, else `run_floor`.
+std::optional<double> floor_of(const GroupResult& group, std::optional<double> run_floor);
+
 struct ArmPair {
     const CellResult* a = nullptr;
     const CellResult* b = nullptr;
@@ -42,8 +45,8 @@ struct ArmPair {
 
 /// Every arm against the group's first, and every arm with a layout against the forward arm of the same HDR format;
 /// each pair once, arms that are not ok left out. The interval is of kIntervalLevel; the verdict is given on the wider
-/// one of level_for_each(), so that all verdicts of the group hold together with that level. It is judged by the
-/// group's own noise floor, else by `run_floor`; with neither it stays ambiguous.
+/// one of level_for_each(), so that all verdicts of the group hold together with that level. It is judged by
+/// floor_of(); without one it stays ambiguous.
 std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor);
 
 }  // namespace lightsweep

@@ -24,6 +24,11 @@ void visit_fields(Is<Shard> auto& r, auto visit) {
     visit("count", r.count);
 }
 
+void visit_fields(Is<ErrorLimit> auto& r, auto visit) {
+    visit("metric", r.metric);
+    visit("limit", r.limit);
+}
+
 void visit_fields(Is<RunInfo> auto& r, auto visit) {
     visit("arguments", r.arguments);
     visit("version", r.version);
@@ -37,6 +42,8 @@ void visit_fields(Is<RunInfo> auto& r, auto visit) {
     visit("started_at", r.started_at);
     visit("time_budget_s", r.time_budget_s);
     visit("target_ci", r.target_ci);
+    visit("max_error", r.max_error);
+    visit("max_time_ns", r.max_time_ns);
 }
 
 void visit_fields(Is<Environment> auto& r, auto visit) {
@@ -103,10 +110,34 @@ void visit_fields(Is<Samples> auto& r, auto visit) {
     visit("passes", r.passes);
 }
 
-void visit_fields(Is<CellError> auto& r, auto visit) {
-    visit("against", r.against);
+void visit_fields(Is<PictureError> auto& r, auto visit) {
     visit("hdr", r.hdr);
     visit("display", r.display);
+}
+
+void visit_fields(Is<CellError> auto& r, auto visit) {
+    visit("reference", r.reference);
+    visit("control", r.control);
+    visit("packing_share", r.packing_share);
+    visit("flip_mean_low", r.flip_mean_low);
+    visit("flip_mean_high", r.flip_mean_high);
+    visit("fields", r.fields);
+}
+
+void visit_fields(Is<RelativeError> auto& r, auto visit) {
+    visit("median_rel", r.median);
+    visit("p99_rel", r.p99);
+    visit("max_rel", r.max);
+    visit("above_1e4_px", r.above_1e4_px);
+}
+
+void visit_fields(Is<GroupReference> auto& r, auto visit) {
+    visit("key", r.key);
+    visit("from_cache", r.from_cache);
+    visit("seconds", r.seconds);
+    visit("subpixel_bits", r.subpixel_bits);
+    visit("control_exact", r.control_exact);
+    visit("control_snapped", r.control_snapped);
 }
 
 void visit_fields(Is<CellResult> auto& r, auto visit) {
@@ -135,6 +166,7 @@ void visit_fields(Is<GroupResult> auto& r, auto visit) {
     visit("wall_s", r.wall_s);
     visit("frames_s", r.frames_s);
     visit("noise", r.noise);
+    visit("reference", r.reference);
     visit("cells", r.cells);
 }
 
@@ -184,11 +216,49 @@ struct Codec<ImageError> {
     static Json encode(const ImageError& error) { return lightsweep::to_json(error); }
     static ImageError decode(const Json& json, const std::string& where) {
         ImageError error;
-        for (const Metric* metric : all_metrics()) {
-            error.values.push_back(member<std::optional<double>>(json, std::string(metric->key), where));
+        for (const std::string_view key : metric_value_keys()) {
+            error.values.push_back(member<std::optional<double>>(json, std::string(key), where));
         }
         error.identical = member<bool>(json, "identical", where);
         return error;
+    }
+};
+
+// {"normal": {"mean_deg": ..., "p99_deg": ..., "max_deg": ...}, ...}: the unit stands in the keys.
+template <>
+struct Codec<std::vector<FieldError>> {
+    static Json encode(const std::vector<FieldError>& fields) {
+        Json json = Json::object();
+        for (const auto& f : fields) {
+            json[f.field] = {{"mean_" + f.unit, codec::encode(f.mean)},
+                             {"p99_" + f.unit, codec::encode(f.p99)},
+                             {"max_" + f.unit, codec::encode(f.max)}};
+        }
+        return json;
+    }
+    static std::vector<FieldError> decode(const Json& json, const std::string& where) {
+        if (!json.is_object()) refuse(json, where, "an object");
+        std::vector<FieldError> fields;
+        for (const auto& [field, value] : json.items()) {
+            const std::string place = where + "/" + field;
+            const std::string unit = unit_of_mean(value, place);
+            fields.push_back({.field = field,
+                              .unit = unit,
+                              .mean = member<double>(value, "mean_" + unit, place),
+                              .p99 = member<double>(value, "p99_" + unit, place),
+                              .max = member<double>(value, "max_" + unit, place)});
+        }
+        return fields;
+    }
+
+  private:
+    static std::string unit_of_mean(const Json& json, const std::string& where) {
+        constexpr std::string_view kPrefix = "mean_";
+        if (!json.is_object()) refuse(json, where, "an object");
+        for (const auto& [key, value] : json.items()) {
+            if (key.starts_with(kPrefix)) return key.substr(kPrefix.size());
+        }
+        throw InputError(where, "the key 'mean_<unit>' is missing");
     }
 };
 
@@ -204,11 +274,13 @@ Record from_json(const Json& json, const std::string& where) {
     return codec::decode<Record>(json, where);
 }
 
+template Json to_json(const ErrorLimit&);
 template Json to_json(const RunInfo&);
 template Json to_json(const Environment&);
 template Json to_json(const TimerReport&);
 template Json to_json(const CellResult&);
 template Json to_json(const NoiseTwin&);
+template Json to_json(const GroupReference&);
 template Json to_json(const GroupResult&);
 template RunInfo from_json(const Json&, const std::string&);
 template Environment from_json(const Json&, const std::string&);
@@ -258,6 +330,12 @@ std::string environment_difference(const Environment& a, const Environment& b) {
         text += (text.empty() ? "" : ", ") + key + ": " + line_text(value) + " / " + line_text(json_b.at(key));
     }
     return text;
+}
+
+void require_schema(const Json& schema, const std::string& where) {
+    if (schema == kReportSchema) return;
+    throw InputError(where, "this program reads \"" + std::string(kReportSchema) + "\", not " + line_text(schema) +
+                                "; measure again, or use the program that wrote it");
 }
 
 std::string line_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }

@@ -20,6 +20,15 @@ namespace lightsweep {
 /// Keeps the order in which keys are written: passes stay in the order in which they ran.
 using Json = nlohmann::ordered_json;
 
+/// The version of the structs below, which reports and journals share: their key "schema".
+inline constexpr const char* kReportSchema = "lightsweep-report-2";
+
+/// A bound on one metric of the display picture against the reference.
+struct ErrorLimit {
+    std::string metric;  ///< flip_mean, rmse, ...: lower is better
+    double limit = 0.0;
+};
+
 /// What was asked for, and by which program.
 struct RunInfo {
     std::vector<std::string> arguments;
@@ -33,7 +42,9 @@ struct RunInfo {
     int64_t plan_cells = 0;     ///< in all shards
     std::string started_at;     ///< ISO 8601, UTC
     std::optional<double> time_budget_s;
-    double target_ci = 0.02;  ///< half width of a median's interval, as a fraction of it
+    double target_ci = 0.02;              ///< half width of a median's interval, as a fraction of it
+    std::optional<ErrorLimit> max_error;  ///< asked: the cheapest arm within this error
+    std::optional<double> max_time_ns;    ///< asked: the most exact arm within this time
 };
 
 struct Environment {
@@ -115,10 +126,48 @@ struct Samples {
     size_t count() const { return wall_ns.size(); }
 };
 
+/// How far a picture is from another: what `lightsweep diff` says of the EXR files, and of what a display shows.
+struct PictureError {
+    ImageError hdr;      ///< of the linear image
+    ImageError display;  ///< after tone mapping, before its rounding to 8 bits
+};
+
+/// How far one field of the surface, as shading reads it, is from the reference's surface, over the covered pixels.
+struct FieldError {
+    std::string field;  ///< normal, position, base_color, roughness, metallic
+    std::string unit;   ///< deg, rel (by the distance from the eye), abs (largest channel)
+    double mean = 0.0;
+    double p99 = 0.0;
+    double max = 0.0;
+};
+
 struct CellError {
-    std::string against;  ///< control
-    ImageError hdr;       ///< of the linear image
-    ImageError display;   ///< after tone mapping
+    std::optional<PictureError> reference;  ///< against the reference: all of the error
+    std::optional<PictureError> control;    ///< against the control arm: what packing alone does
+    /// The packing's share of the squared error of display values against the reference: <e, p> / <e, e> with e this
+    /// picture less the reference and p this picture less the control's. The control's own error has the rest.
+    std::optional<double> packing_share;
+    /// Ends of the interval (kIntervalLevel) of reference.display's flip_mean, from the means of 64 equal regions.
+    std::optional<double> flip_mean_low, flip_mean_high;
+    std::vector<FieldError> fields;  ///< of a path with a layout
+};
+
+/// A distribution of |v - r| / |r| (per pixel, largest channels) over the covered pixels.
+struct RelativeError {
+    double median = 0.0;
+    double p99 = 0.0;
+    double max = 0.0;
+    int64_t above_1e4_px = 0;  ///< pixels above 1e-4
+};
+
+/// The reference that a group's cells are compared with, and how far 32-bit arithmetic alone is from it.
+struct GroupReference {
+    std::string key;  ///< of the cache
+    bool from_cache = false;
+    double seconds = 0.0;                          ///< to compute, or to read
+    int64_t subpixel_bits = 0;                     ///< GL_SUBPIXEL_BITS of the device
+    std::optional<RelativeError> control_exact;    ///< the control arm against the reference
+    std::optional<RelativeError> control_snapped;  ///< against one whose triangles are snapped to that grid
 };
 
 struct CellResult {
@@ -150,6 +199,7 @@ struct GroupResult {
     std::string group;
     std::vector<CellResult> cells;
     std::optional<NoiseTwin> noise;
+    std::optional<GroupReference> reference;
     double wall_s = 0.0;    ///< since the group before was written, or since the program started
     double frames_s = 0.0;  ///< of it in frames: sampled, or warm-up
 };
@@ -161,6 +211,9 @@ Json to_json(const Record& record);
 /// The inverse; null in a number is NaN. Unknown keys are ignored. Throws InputError with `where` and the JSON pointer.
 template <typename Record>
 Record from_json(const Json& json, const std::string& where);
+
+/// Throws InputError, with both versions, unless `schema` is kReportSchema.
+void require_schema(const Json& schema, const std::string& where);
 
 /// The text of a file: indented, but a list of plain values on one line. Bytes that are not UTF-8 become U+FFFD.
 std::string report_text(const Json& json);

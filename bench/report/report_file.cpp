@@ -9,10 +9,11 @@
 namespace lightsweep {
 
 Report parse_report(const Json& json, const std::string& where) {
-    if (!json.is_object() || !json.contains("schema") || json.at("schema") != kReportSchema) {
+    if (!json.is_object() || !json.contains("schema")) {
         throw InputError(where,
                          fmt::format("not a report of this program: \"schema\": \"{}\" is missing", kReportSchema));
     }
+    require_schema(json.at("schema"), where + ":/schema");
     Report report;
     report.run = from_json<RunInfo>(codec::member<Json>(json, "run", where), where + ":/run");
     report.environment =

@@ -9,9 +9,6 @@
 
 namespace lightsweep {
 
-/// The value of a report's key "schema".
-inline constexpr const char* kReportSchema = "lightsweep-report-1";
-
 struct Report {
     RunInfo run;
     Environment environment;

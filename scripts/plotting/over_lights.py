@@ -38,7 +38,8 @@ def draw_time(report, scene, cells, paths):
         return None, "no arm was measured at two light counts"
     arms = [arm for series in shown.values() for arm in series]
     styles, names = style.ArmStyles(paths, arms), data.arm_names(arms)
-    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time over the number of lights", len(shown), 4.2, 3.8)
+    height = max(3.8, 1.0 + 0.2 * len(names))  # the legend's
+    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time over the number of lights", len(shown), 4.2, height)
     for axes, (panel, series) in zip(panels, shown.items()):
         for arm, points in series.items():
             _draw(axes, points, arm, styles, names[arm])

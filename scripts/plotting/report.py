@@ -4,7 +4,7 @@ import json
 import pathlib
 from typing import NamedTuple
 
-SCHEMA = "lightsweep-report-1"
+SCHEMA = "lightsweep-report-2"
 PARTS = {"run": dict, "environment": dict, "timer": dict, "noise": dict, "cells": list, "pairs": list,
          "crossovers": list, "pareto": list}
 
@@ -42,7 +42,8 @@ def load(path):
     except ValueError as error:
         raise ReportError(f"{path}: not JSON: {error}") from error
     if not isinstance(report, dict) or report.get("schema") != SCHEMA:
-        raise ReportError(f"{path}:/schema: not a report of the kind '{SCHEMA}'")
+        found = report.get("schema") if isinstance(report, dict) else None
+        raise ReportError(f"{path}:/schema: '{SCHEMA}' was expected, not {json.dumps(found)}; measure again")
     for key, kind in PARTS.items():
         if not isinstance(report.get(key), kind):
             raise ReportError(f"{path}:/{key}: {'an object' if kind is dict else 'a list'} was expected")
@@ -99,6 +100,22 @@ def filled(middle, low, high):
 def estimate_ms(estimate_ns):
     """(median, low, high) of a statistic in ns, in ms."""
     return tuple(value / 1e6 for value in filled(*(estimate_ns[key] for key in ("median", "low", "high"))))
+
+
+def image_error(cell, metric):
+    """(value, low, high) of the display picture against the reference, or None where there is none. FLIP's mean alone has an
+    interval; elsewhere the ends are the value."""
+    error = cell["error"]
+    value = error and error["reference"] and error["reference"]["display"][metric]
+    if value is None:
+        return None
+    return filled(value, error["flip_mean_low"], error["flip_mean_high"]) if metric == "flip_mean" else (value, value, value)
+
+
+def front(points):
+    """The indices of the points (time, error) that no other is as good as in both and better than in one, by rising time."""
+    beaten = [any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points) for point in points]
+    return sorted((index for index, is_beaten in enumerate(beaten) if not is_beaten), key=lambda index: points[index])
 
 
 def arm_names(arms):

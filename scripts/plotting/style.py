@@ -73,10 +73,10 @@ def _footer(report):
             f"lightsweep {run['version']}{commit}")
 
 
-def panel_grid(report, title, count, width_in, height_in):
-    """A figure with `count` axes side by side, as a list."""
-    width = max(width_in * count, MIN_WIDTH_IN)
-    figure, axes = pyplot.subplots(1, count, figsize=(width, height_in), squeeze=False, layout="constrained")
+def panel_grid(report, title, columns, width_in, height_in, rows=1):
+    """A figure of that height with `columns` axes of that width side by side, in so many rows, as a list."""
+    width = max(width_in * columns, MIN_WIDTH_IN)
+    figure, axes = pyplot.subplots(rows, columns, figsize=(width, height_in), squeeze=False, layout="constrained")
     figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
     letters = int(width * 72 / (0.54 * FOOTER_POINTS))
     figure.supxlabel(textwrap.fill(_footer(report), letters), fontsize=FOOTER_POINTS, color=FAINT, x=0.01, ha="left")
@@ -127,3 +127,28 @@ def log_axis(axis, low, high):
     axis.set_major_locator(ticker.FixedLocator(round_ticks(low, high)))
     axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_locator(ticker.NullLocator())
+
+
+def log_axis_from_zero(axis, values):
+    """A logarithmic axis for what is 0 or more, with a place for 0 below the smallest other value if there is a 0."""
+    positive = [value for value in values if value > 0]
+    if positive and len(positive) == len(values):
+        log_axis(axis, min(values) / 1.1, max(values) * 1.1)
+        return
+    axes, name = axis.axes, axis.axis_name
+    if not positive:
+        axes.set(**{f"{name}lim": (-1, 1), f"{name}ticks": [0]})
+        return
+    threshold = 10.0 ** math.floor(math.log10(min(positive)))
+    getattr(axes, f"set_{name}scale")("symlog", linthresh=threshold, linscale=0.4)
+    axes.set(**{f"{name}lim": (-0.3 * threshold, 1.5 * max(values))})
+    axis.set_major_locator(ticker.FixedLocator([0, *round_ticks(min(positive), max(positive) * 1.4)]))
+    axis.set_minor_locator(ticker.NullLocator())
+    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+
+
+def thin_ticks(axis, most):
+    """Every so many-th of the ticks, so that no more than `most` are left."""
+    low, high = sorted(axis.get_view_interval())
+    ticks = [tick for tick in axis.get_majorticklocs() if low <= tick <= high]
+    axis.set_major_locator(ticker.FixedLocator(ticks[::-(-len(ticks) // most)]))

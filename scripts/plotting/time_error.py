@@ -3,42 +3,33 @@
 import itertools
 import math
 
-from matplotlib import font_manager, lines, patheffects, ticker, transforms
+from matplotlib import font_manager, lines, patheffects, transforms
 
 from . import report as data
 from . import style
 
+# The errors that can be drawn, all of the display picture against the reference, all better when smaller.
+METRICS = {
+    "flip_mean": "mean FLIP",
+    "flip_max": "largest FLIP",
+    "rmse": "RMSE of display values",
+    "mrse": "mean relative squared error",
+    "max_abs": "largest absolute difference",
+    "max_rel": "largest relative difference",
+    "rel_p50": "median relative difference",
+    "rel_p99": "99th percentile of the relative difference",
+}
 FADED = 0.35
 MARKER_ROOM_PX = 6
 BAR_ROOM_PX = 2
 LABEL_POINTS = 7
 LEADER_FROM_PX = 16
-LABEL_RADII_PX = (12, 20, 30, 42, 56, 72, 90, 110, 135)
-
-
-def _error(cell):
-    return cell["error"]["display"]["rmse"]
+LABEL_RADII_PX = (12, 20, 30, 42, 56, 72, 90, 110, 135, 165)
+SHOWN_OF_LOW_END = 0.4
 
 
 def _time(cell):
     return data.estimate_ms(cell["statistics"]["wall_ns"])
-
-
-def _error_axis(axes, errors):
-    """Logarithmic, with a place for 0 below the smallest error there is."""
-    positive = [error for error in errors if error > 0]
-    if not positive:
-        axes.set_ylim(-1, 1)
-        axes.set_yticks([0])
-    elif min(errors) > 0:
-        style.log_axis(axes.yaxis, min(errors) / 1.1, max(errors) * 1.1)
-    else:
-        threshold = 10.0 ** math.floor(math.log10(min(positive)))
-        axes.set_yscale("symlog", linthresh=threshold, linscale=0.4)
-        axes.set_ylim(-0.3 * threshold, 1.5 * max(errors))
-        axes.set_yticks([0, *style.round_ticks(min(positive), max(positive) * 1.4)])
-        axes.yaxis.set_minor_locator(ticker.NullLocator())
-        axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
 
 
 def _label_boxes(center, size):
@@ -69,46 +60,54 @@ def _write(axes, point, text, color, center, box):
 
 
 def _place_labels(figure, axes, labels):
-    """Writes each label (x, (low x, high x), y, text, color) where it covers no point and no other label, and no interval
-    if there is room for that."""
+    """Writes each label (time, error, text, color), both coordinates with their ends, where it covers no point and no other
+    label, and no interval if there is room for that."""
     figure.canvas.draw()  # only a drawn figure knows its sizes
     renderer = figure.canvas.get_renderer()
     frame = axes.get_window_extent(renderer)
     to_px = axes.transData.transform
-    centers = [to_px((x, y)) for x, _, y, *_ in labels]
+    centers = [to_px((time[0], error[0])) for time, error, *_ in labels]
     taken = [_around(*center, *center, MARKER_ROOM_PX) for center in centers]
-    bars = [_around(*to_px((low, y)), *to_px((high, y)), BAR_ROOM_PX) for _, (low, high), y, *_ in labels]
+    bars = [_around(*to_px((time[1], error[0])), *to_px((time[2], error[0])), BAR_ROOM_PX) for time, error, *_ in labels]
+    bars += [_around(*to_px((time[0], _shown_low(error))), *to_px((time[0], error[2])), BAR_ROOM_PX)
+             for time, error, *_ in labels]
     font = font_manager.FontProperties(size=LABEL_POINTS)
-    for center, (x, _, y, text, color) in zip(centers, labels):
+    for center, (time, error, text, color) in zip(centers, labels):
         size = renderer.get_text_width_height_descent(text, font, False)[:2]
         boxes = [box for box in _label_boxes(center, size) if frame.x0 <= box.x0 and box.x1 <= frame.x1
                  and frame.y0 <= box.y0 and box.y1 <= frame.y1]
         free = (box for obstacles in (taken + bars, taken) for box in boxes
                 if not any(box.overlaps(other) for other in obstacles))
         box = next(free, boxes[0])
-        _write(axes, (x, y), text, color, center, box)
+        _write(axes, (time[0], error[0]), text, color, center, box)
         taken.append(box)
 
 
-def _panel(axes, cells, front_ids, styles):
-    """Returns the labels to place."""
+def _shown_low(error):
+    """An interval that comes near 0 would take all of a logarithmic axis."""
+    return max(error[1], SHOWN_OF_LOW_END * error[0])
+
+
+def _panel(axes, cells, metric, styles):
+    """Returns the labels to place, those of the front first."""
     several_hdr = len({cell["params"]["hdr"] for cell in cells}) > 1
     labels = []
-    for cell in cells:
+    points = [(_time(cell), data.image_error(cell, metric)) for cell in cells]
+    front = data.front([(time[0], error[0]) for time, error in points])
+    for index, (cell, (time, error)) in enumerate(zip(cells, points)):
         arm = data.arm_of(cell["params"])
-        time, low, high = _time(cell)
-        axes.errorbar([time], [_error(cell)], xerr=[[time - low], [high - time]], elinewidth=0.8, linestyle="none",
-                      color=styles.color(arm), marker=styles.marker(arm), alpha=1.0 if cell["id"] in front_ids else FADED)
+        axes.errorbar([time[0]], [error[0]], xerr=[[time[0] - time[1]], [time[2] - time[0]]],
+                      yerr=[[max(0, error[0] - error[1])], [max(0, error[2] - error[0])]], elinewidth=0.8, linestyle="none",
+                      color=styles.color(arm), marker=styles.marker(arm), alpha=1.0 if index in front else FADED)
         text = data.name_of(arm.layout) if arm.layout else arm.path
-        labels.append((time, (low, high), _error(cell), f"{text}, {arm.hdr}" if several_hdr else text, styles.color(arm)))
-    front = [cell for member in front_ids for cell in cells if cell["id"] == member]
-    axes.plot([_time(cell)[0] for cell in front], [_error(cell) for cell in front], drawstyle="steps-post",
+        labels.append((time, error, f"{text}, {arm.hdr}" if several_hdr else text, styles.color(arm)))
+    axes.plot([points[index][0][0] for index in front], [points[index][1][0] for index in front], drawstyle="steps-post",
               color="black", linewidth=1, linestyle="--", zorder=2.5)
-    style.log_axis(axes.xaxis, min(_time(cell)[1] for cell in cells), max(_time(cell)[2] for cell in cells))
-    _error_axis(axes, [_error(cell) for cell in cells])
+    style.log_axis(axes.xaxis, min(time[1] for time, _ in points), max(time[2] for time, _ in points))
+    style.log_axis_from_zero(axes.yaxis, [end for _, error in points for end in (_shown_low(error), error[2])])
     axes.set_xlabel("time per frame (ms)")
-    axes.set_ylabel("error (RMSE of display values)")
-    return labels
+    axes.set_ylabel(f"error: {METRICS[metric]}")
+    return [labels[index] for index in front] + [label for index, label in enumerate(labels) if index not in front]
 
 
 def _legend(axes, arms, styles):
@@ -119,23 +118,23 @@ def _legend(axes, arms, styles):
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1))
 
 
-def draw(report, scene, cells, paths):
-    """A figure, or why there is none."""
-    fronts = {entry["group"]: entry["front"] for entry in report["pareto"]}
+def draw(report, scene, cells, paths, metric):
+    """A figure, or why there is none. `metric`: one of METRICS."""
     shown = {}
-    for panel, group in data.panels([cell for cell in cells if cell["error"] and _error(cell) is not None]).items():
+    for panel, group in data.panels([cell for cell in cells if data.image_error(cell, metric)]).items():
         group = data.most_lights(group)
-        if len({cell["params"]["layout"] for cell in group} - {None}) > 1 and group[0]["group"] in fronts:
+        if len(group) > 1:
             shown[panel] = group
     if not shown:
-        return None, "no group has an error for two layouts"
+        return None, f"no two arms of a group have a {metric} against the reference"
     arms = [data.arm_of(cell["params"]) for group in shown.values() for cell in group]
     styles = style.ArmStyles(paths, arms)
-    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time against error, compared with the control arm",
-                                      len(shown), 5.2, 4.6)
+    crowded = max(len(group) for group in shown.values()) > 10
+    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time against error, compared with the reference",
+                                      len(shown), 7.0 if crowded else 5.2, 5.8 if crowded else 4.6)
     labels = {}
     for axes, (panel, group) in zip(panels, shown.items()):
-        labels[axes] = _panel(axes, group, fronts[group[0]["group"]], styles)
+        labels[axes] = _panel(axes, group, metric, styles)
         axes.set_title(f"{panel.title}, {group[0]['params']['lights']} lights")
     _legend(panels[-1], arms, styles)
     for axes, of_panel in labels.items():

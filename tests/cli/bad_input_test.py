@@ -219,7 +219,7 @@ class Reports(ProgramTest):
     def test_compare(self):
         self.write("other.json", {"schema": "another-1"})
         self.write("torn.json", "{")
-        for file, word in (("gone.json", "gone.json"), ("torn.json", "torn.json"), ("other.json", "lightsweep-report-1")):
+        for file, word in (("gone.json", "gone.json"), ("torn.json", "torn.json"), ("other.json", "lightsweep-report-2")):
             self.assert_refused(["compare", file, file], word)
 
     def test_merge(self):

@@ -2,10 +2,11 @@
 
 import itertools
 import pathlib
+import re
 import tempfile
 import unittest
 
-from program import script, write_json
+from program import grey_png, script, write_json
 
 HDR = "rgba16f"
 ARMS = (("forward", None), ("deferred", "oct32"), ("deferred", "my/own layout.json"))
@@ -15,10 +16,20 @@ def estimate(ns, open_ended=False):
     return {"median": ns, "low": None if open_ended else 0.9 * ns, "high": None if open_ended else 1.2 * ns}
 
 
+def error(flip_mean, layout):
+    """As a cell's: the larger, the wider its interval; the first layout is exact in its roughness."""
+    number = {"flip_mean": flip_mean, "rmse": 2 * flip_mean}
+    fields = {} if layout is None else {
+        "normal": {"mean_deg": 0.1, "p99_deg": 0.4, "max_deg": 2.0},
+        "roughness": dict.fromkeys(("mean_abs", "p99_abs", "max_abs"), 0.0 if layout == ARMS[1][1] else 0.002)}
+    return {"reference": {"display": number}, "control": None, "flip_mean_low": 0.0, "flip_mean_high": 1.5 * flip_mean,
+            "fields": fields}
+
+
 def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128, 72)), arms=ARMS):
-    """A report with what readers need: some intervals open, one arm without error, a crossover with an open end."""
+    """A report with what readers need: some intervals open, one arm whose error is 0, a crossover with an open end."""
     report = {
-        "schema": "lightsweep-report-1",
+        "schema": "lightsweep-report-2",
         "run": {"version": "0.1.0", "git_commit": None},
         "environment": {"gl_renderer": "a renderer", "cpu": "a processor", "cores": 2},
         "timer": {"method": "finish_clock"},
@@ -37,11 +48,10 @@ def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128,
                            "path": path, "layout": layout, "hdr": HDR},
                 "statistics": {"wall_ns": estimate(ns, open_ended=count == 0), "gpu_ns": estimate(0.9 * ns),
                                "passes": {"gbuffer": estimate(0.8 * ns), "unattributed": estimate(-5)}},
-                "error": {"display": {"rmse": 0.001 * number}},
+                "error": error(0.001 * number, layout),
             })
             if number > 0:
                 report["pairs"].append({"a": ids[-1], "b": ids[0], "ratio": 1.5, "low": None, "high": 2.0})
-        report["pareto"].append({"group": group, "front": ids[:1], "dominated": ids[1:]})
     for path, layout in arms[1:]:
         report["crossovers"].append({
             "scene": scenes[0], "width_px": 64, "height_px": 36, "overlap": None,
@@ -57,9 +67,9 @@ class Plot(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def plot(self, report):
+    def plot(self, report, *options):
         """(file names written, lines on stderr), checked against what is printed."""
-        done = script("plot.py", write_json(self.folder / "report.json", report), "--out", self.folder / "pictures")
+        done = script("plot.py", write_json(self.folder / "report.json", report), "--out", self.folder / "pictures", *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         written = sorted(self.folder.glob("pictures/*"))
         self.assertEqual(sorted(done.stdout.split()), [str(file) for file in written])
@@ -67,28 +77,68 @@ class Plot(unittest.TestCase):
             self.assertTrue(file.read_bytes().startswith(b"\x89PNG" if file.suffix == ".png" else b"<?xml"), file)
         return {file.name for file in written}, done.stderr.splitlines()
 
+    def words_in(self, name):
+        """The words of a picture: SVG text is drawn as glyphs, but its comments hold it."""
+        svg = (self.folder / "pictures" / f"{name}.svg").read_text(encoding="utf-8")
+        return " ".join(" ".join(re.findall("<!--(.*?)-->", svg, re.DOTALL)).split())
+
     def names(self, *words):
         return {f"{word}.{kind}" for word in words for kind in ("png", "svg")}
 
+    def write_maps(self, report):
+        (self.folder / "maps").mkdir()
+        for cell in report["cells"]:
+            params = cell["params"]
+            (self.folder / "maps" / f"{cell['id']}.png").write_bytes(grey_png(params["width_px"], params["height_px"]))
+
     def test_everything(self):
-        files, said = self.plot(made_up_report())
+        report = made_up_report()
+        self.write_maps(report)
+        files, said = self.plot(report)
         self.assertEqual(files, self.names("time_over_lights_cornell", "ratio_to_forward_cornell", "time_per_pass_cornell",
-                                           "time_against_error_cornell"))
+                                           "time_against_error_cornell", "field_errors_cornell", "flip_maps_cornell"))
         self.assertEqual(said, [])
+
+    def test_time_against_another_error(self):
+        report = made_up_report(lights=(4,))
+        self.plot(report, "--error", "rmse")
+        self.assertIn("error: RMSE of display values", self.words_in("time_against_error_cornell"))
+        done = script("plot.py", self.folder / "report.json", "--error", "rmes")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("rmse", done.stderr)
+
+    def test_arms_without_an_error_are_left_out(self):
+        report = made_up_report(lights=(4,), sizes=((64, 36),), arms=(*ARMS, ("deferred", "unheard"), ("deferred", "alone")))
+        report["cells"][3]["error"] = None
+        report["cells"][4]["error"]["reference"] = None
+        files, said = self.plot(report)
+        self.assertLessEqual(self.names("time_against_error_cornell", "field_errors_cornell"), files)
+        words = self.words_in("field_errors_cornell")
+        self.assertIn("oct32", words)
+        self.assertNotIn("unheard", words)
+        self.assertNotIn("alone", words)
+        self.assertTrue(any("flip_maps" in line and "--maps" in line for line in said), said)
+
+    def test_a_map_that_is_no_picture(self):
+        report = made_up_report(lights=(4,))
+        self.write_maps(report)
+        (self.folder / "maps" / f"{report['cells'][-2]['id']}.png").write_bytes(b"\x89PNG")
+        done = script("plot.py", write_json(self.folder / "report.json", report), "--out", self.folder / "pictures")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 3), done.stderr)
+        self.assertIn("maps: a map cannot be read", done.stderr.splitlines()[-1])
 
     def test_the_crossover_and_its_absence_are_written_down(self):
         report = made_up_report(sizes=((64, 36),))
         report["crossovers"][1] |= {"lights": None, "high": None, "reason": "forward is faster at every light count measured"}
         self.plot(report)
-        # SVG text is drawn as glyphs; its comments hold the words.
-        svg = (self.folder / "pictures/ratio_to_forward_cornell.svg").read_text(encoding="utf-8")
-        self.assertIn("deferred, oct32: crossover at 2.5 lights [open, 7]", svg)
-        self.assertIn("deferred, own layout: no crossover: forward is faster at every", " ".join(svg.split()))
+        words = self.words_in("ratio_to_forward_cornell")
+        self.assertIn("deferred, oct32: crossover at 2.5 lights [open, 7]", words)
+        self.assertIn("deferred, own layout: no crossover: forward is faster at every", words)
 
     def test_what_has_no_data_is_left_out_with_a_line(self):
-        files, said = self.plot(made_up_report(lights=(4,), arms=ARMS[:2]))
+        files, said = self.plot(made_up_report(lights=(4,), arms=ARMS[:1]))
         self.assertEqual(files, self.names("time_per_pass_cornell"))
-        self.assertEqual(len(said), 3)
+        self.assertEqual(len(said), 5)
         self.assertTrue(all(line.startswith("plot.py: no ") and "cornell" in line for line in said), said)
 
     def test_scenes_with_one_name(self):
@@ -112,6 +162,7 @@ class Plot(unittest.TestCase):
             "torn.json": '{"schema": ',
             "list.json": [],
             "other.json": report | {"schema": "another-1"},
+            "old.json": report | {"schema": "lightsweep-report-1"},
             "part.json": {key: value for key, value in report.items() if key != "pairs"},
             "cell.json": report | {"cells": [{"status": "ok"}]},
         }

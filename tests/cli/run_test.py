@@ -102,10 +102,64 @@ class Runs(ProgramTest):
         plotted = script("plot.py", self.folder / "report.json", "--out", self.folder / "pictures")
         self.assertEqual(plotted.returncode, 0, plotted.stderr)
         names = {f"{figure}_cornell.{kind}" for kind in ("png", "svg")
-                 for figure in ("time_over_lights", "ratio_to_forward", "time_per_pass")}
+                 for figure in ("time_over_lights", "ratio_to_forward", "time_per_pass", "time_against_error", "field_errors")}
         self.assertEqual({path.name for path in (self.folder / "pictures").iterdir()}, names)
         self.assertEqual(len(plotted.stdout.splitlines()), len(names))
-        self.assertIn("no time_against_error of cornell", plotted.stderr)
+        self.assertIn("no flip_maps of cornell", plotted.stderr)
+
+
+class Answers(ProgramTest):
+    """What a user came for: the cheapest arm within an error, the most exact one within a time."""
+
+    SWEEP = {"summary": "three arms", "maps": True, "target_ci": 1.0,
+             "blocks": [{"scene": "cornell", "lights": 4, "size": "64x48", "path": ["forward", "deferred"],
+                         "layout": ["float32", "thin"]}]}
+
+    def flip_mean(self, report):
+        return {cell["id"]: cell["error"]["reference"]["display"]["flip_mean"] for cell in report["cells"]}
+
+    def test_answers_and_maps(self):
+        self.write("three.json", self.SWEEP)
+        done = self.assert_done(*RUN, "three.json", "--max-error", "flip=1", "--max-time", "100s", "--out", "out")
+        report = self.assert_valid_report("out/report.json")
+        self.assertEqual(report["run"]["max_error"], {"metric": "flip_mean", "limit": 1})
+        self.assertEqual(report["run"]["max_time_ns"], 100e9)
+        cheapest, most_exact = report["answers"]
+        times = {cell["id"]: cell["statistics"]["wall_ns"]["median"] for cell in report["cells"]}
+        self.assertEqual({cheapest["arm"], cheapest["runner_up"]}, set(sorted(times, key=times.get)[:2]))
+        self.assertLessEqual(cheapest["ratio"], 1)
+        errors = self.flip_mean(report)
+        self.assertEqual(errors[most_exact["arm"]], min(errors.values()))
+        self.assertEqual([line.strip() for line in done.stdout.splitlines()][-2:],
+                         [cheapest["statement"], most_exact["statement"]])
+
+        self.assertEqual({file.name for file in (self.folder / "out/maps").iterdir()}, {f"{cell}.png" for cell in errors})
+        plotted = script("plot.py", self.folder / "out/report.json")
+        self.assertTrue((self.folder / "out/flip_maps_cornell.png").is_file(), plotted.stderr)
+
+        # Another question needs no other frame.
+        before = journal_of(self.folder / "out")
+        self.assert_done(*RUN, "three.json", "--max-error", "rmse=0", "--out", "out", "--resume")
+        self.assertEqual(journal_of(self.folder / "out"), before)
+        none, again = self.assert_valid_report("out/report.json")["answers"]
+        self.assertEqual((none["question"], none["arm"]), ({"metric": "rmse", "limit": 0}, None))
+        self.assertIn("no arm is within rmse 0", none["reason"])
+        self.assertEqual(again, most_exact)
+
+    def test_without_questions_there_are_no_answers_and_without_maps_no_maps(self):
+        self.write("three.json", self.SWEEP | {"maps": False})
+        done = self.assert_done(*RUN, "three.json", "--out", "out")
+        self.assertTrue(done.stdout.splitlines()[-1].startswith("report: "))
+        self.assertEqual(self.assert_valid_report("out/report.json")["answers"], [])
+        self.assertFalse((self.folder / "out/maps").exists())
+
+    def test_bad_questions(self):
+        for limit, word in (("flipp=0.1", "'flip'"), ("ssim=0.9", "known: flip"), ("=1", "known: flip"), ("flip", "flip=0.01"),
+                            ("rmse=small", "METRIC=VALUE"), ("rmse=-1", "METRIC=VALUE"), ("mrse=nan", "METRIC=VALUE"),
+                            ("max_abs=1x", "METRIC=VALUE")):
+            self.assert_refused([*RUN, "--max-error", limit, "--out", "out"], f"--max-error {limit}", word)
+        for time_limit in ("8", "8m", "fast", "-8ms", "0ms"):
+            self.assert_refused([*RUN, f"--max-time={time_limit}", "--out", "out"], "--max-time", "8ms, 500us or 0.02s")
 
 
 class Smoke(ProgramTest):

@@ -54,15 +54,17 @@ TEST(Sweep, an_override_replaces_its_axis_in_every_block) {
 }
 
 TEST(Sweep, options_are_read_and_may_be_missing) {
-    const auto full =
-        parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium"}], "time_budget_s": 9.5, "target_ci": 0.05})",
-                    "a.json", test_catalog());
+    const auto full = parse_sweep(
+        R"({"summary": "s", "blocks": [{"scene": "atrium"}], "time_budget_s": 9.5, "target_ci": 0.05, "maps": true})",
+        "a.json", test_catalog());
     EXPECT_EQ(full.summary, "s");
     EXPECT_EQ(full.time_budget_s, 9.5);
     EXPECT_EQ(full.target_ci, 0.05);
+    EXPECT_TRUE(full.maps);
     const auto bare = parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium"}]})", "a.json", test_catalog());
     EXPECT_EQ(bare.time_budget_s, std::nullopt);
     EXPECT_EQ(bare.target_ci, std::nullopt);
+    EXPECT_FALSE(bare.maps);
 }
 
 TEST(Sweep, a_bad_file_is_refused_with_the_place) {
@@ -79,6 +81,10 @@ TEST(Sweep, a_bad_file_is_refused_with_the_place) {
                 HasSubstr("unknown key 'budget'"));
     EXPECT_THROW(parse_sweep(R"({"summary": "s", "blocks": [{}], "time_budget_s": -1})", "a", test_catalog()),
                  InputError);
+    EXPECT_THAT(input_error([] {
+                    parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium"}], "maps": 1})", "a", test_catalog());
+                }),
+                StartsWith("a:/maps: "));
     EXPECT_THROW(load_sweep("no_such_sweep", test_catalog()), InputError);
 }
 

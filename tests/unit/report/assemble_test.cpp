@@ -145,7 +145,7 @@ TEST(Assemble, statistics_are_those_of_the_samples) {
 }
 
 TEST(Assemble, time_against_error_leaves_out_what_is_beaten_in_both) {
-    // oct16 has an error and is slower than forward; oct32 is as right as forward and faster.
+    // oct16 has the largest error and is the slowest; oct32 is as right as forward and faster.
     const auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}, {"deferred", "oct32"}}, {4},
                                            [](const CellParams& c) {
                                                return c.layout == "oct16" ? 3e6 : c.layout == "oct32" ? 1e6 : 2e6;
@@ -153,8 +153,66 @@ TEST(Assemble, time_against_error_leaves_out_what_is_beaten_in_both) {
     const auto& cells = journal.groups[0].cells;
     const Json pareto = assemble_report(journal).at("pareto");
     ASSERT_THAT(pareto, SizeIs(1));
+    EXPECT_EQ(pareto[0].at("metric_error"), "reference.display.flip_mean");
     EXPECT_EQ(pareto[0].at("front"), Json({cells[2].id}));
     EXPECT_EQ(pareto[0].at("dominated"), Json({cells[0].id, cells[1].id}));
+}
+
+TEST(Assemble, the_points_of_time_against_error_have_both_intervals) {
+    auto journal =
+        synthetic_journal({{"forward", ""}, {"deferred", "oct16"}, {"deferred", "oct32"}}, {4}, thirty_percent);
+    auto& cells = journal.groups[0].cells;
+    cells[0].samples.wall_ns.assign(cells[0].samples.count(), 2'000'000);
+    cells[1].error->flip_mean_low.reset();
+    cells[1].error->flip_mean_high.reset();
+    cells[2].error->reference.reset();  // compared with the control alone: no place among the points
+    const Json pareto = assemble_report(journal).at("pareto");
+    ASSERT_THAT(pareto, SizeIs(1));
+    const Json& points = pareto[0].at("points");
+    ASSERT_THAT(points, SizeIs(2));
+    EXPECT_EQ(points[0], (Json{{"id", cells[0].id},
+                               {"time_ns", 2e6},
+                               {"time_low_ns", 2e6},
+                               {"time_high_ns", 2e6},
+                               {"error", 0.001},
+                               {"error_low", 0.9 * 0.001},
+                               {"error_high", 1.1 * 0.001}}));
+    EXPECT_EQ(points[1].at("id"), cells[1].id);
+    EXPECT_LT(points[1].at("time_low_ns"), points[1].at("time_ns"));
+    EXPECT_GT(points[1].at("time_high_ns"), points[1].at("time_ns"));
+    EXPECT_TRUE(points[1].at("error_low").is_null());
+    EXPECT_TRUE(points[1].at("error_high").is_null());
+    for (auto& cell : cells) cell.error.reset();
+    EXPECT_THAT(assemble_report(journal).at("pareto"), IsEmpty());
+}
+
+TEST(Assemble, each_group_says_what_its_reference_was) {
+    auto journal = synthetic_journal({{"forward", ""}}, {1, 4}, thirty_percent, 10);
+    journal.groups[0].reference.reset();
+    const Json references = assemble_report(journal).at("references");
+    ASSERT_THAT(references, SizeIs(1));
+    EXPECT_EQ(
+        references[0],
+        (Json{{"group", journal.groups[1].group},
+              {"key", "00aa"},
+              {"from_cache", false},
+              {"seconds", 0.5},
+              {"subpixel_bits", 8},
+              {"control_exact", {{"median_rel", 1e-7}, {"p99_rel", 1e-6}, {"max_rel", 0.25}, {"above_1e4_px", 7}}},
+              {"control_snapped", nullptr}}));
+}
+
+TEST(Assemble, answers_are_given_to_what_was_asked) {
+    auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}}, {1, 4}, thirty_percent);
+    EXPECT_THAT(assemble_report(journal).at("answers"), IsEmpty());
+    journal.run.max_error = {.metric = "rmse", .limit = 0.01};
+    journal.run.max_time_ns = 1e9;
+    const Json answers = assemble_report(journal).at("answers");
+    ASSERT_THAT(answers, SizeIs(4));
+    EXPECT_EQ(answers[0].at("question"), (Json{{"metric", "rmse"}, {"limit", 0.01}}));
+    EXPECT_EQ(answers[1].at("question"), (Json{{"max_time_ns", 1e9}}));
+    EXPECT_EQ(answers[2].at("group"), journal.groups[1].group);
+    EXPECT_EQ(answers[2].at("arm"), journal.groups[1].cells[0].id);  // the other's rmse is 0.04
 }
 
 TEST(Assemble, the_summary_counts_and_says_whether_all_is_there) {
@@ -212,11 +270,17 @@ TEST_F(CheckedReport, passes_the_schema_complete_failed_and_empty) {
         for (auto& [name, series] : samples.passes) series.resize(1);
     }
     EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
+    journal_.run.max_error = {.metric = "flip_mean", .limit = 0.01};
+    journal_.run.max_time_ns = 1.0;  // nothing is as fast
+    journal_.groups[2].cells[0].error = CellError{};
+    journal_.groups[2].reference.reset();
+    EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
     journal_.groups.clear();
     EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
 }
 
 TEST_F(CheckedReport, faults_are_found) {
+    journal_.run.max_error = {.metric = "flip_mean", .limit = 0.01};
     const Json report = assemble_report(journal_);
     const auto is_refused = [&](auto change) {
         Json changed = report;
@@ -231,6 +295,21 @@ TEST_F(CheckedReport, faults_are_found) {
     EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["status"] = "fine"; })) << "status";
     EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["samples"]["wall_ns"][0] = 0.5; })) << "type";
     EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0].erase("work"); })) << "missing key";
+    EXPECT_TRUE(is_refused([](Json& r) { r["references"][0]["group"] = "nowhere"; })) << "reference of no group";
+    EXPECT_TRUE(is_refused([](Json& r) { r["references"].push_back(r["references"][0]); })) << "two references";
+    EXPECT_TRUE(is_refused([](Json& r) { r["references"][0].erase("control_exact"); })) << "half a reference";
+    EXPECT_TRUE(is_refused([](Json& r) { r["pareto"][0]["points"].erase(0); })) << "a member without a point";
+    EXPECT_TRUE(is_refused([](Json& r) {
+        Json& front = r["pareto"][0]["front"];
+        Json& dominated = r["pareto"][0]["dominated"];
+        front.push_back(dominated[0]);
+        dominated.erase(0);
+    })) << "a beaten cell on the front";
+    EXPECT_TRUE(is_refused([](Json& r) { r["pareto"][0]["points"][0]["error"] = 0.5; }))
+        << "another error than the cell's";
+    EXPECT_TRUE(is_refused([](Json& r) { r["answers"][0]["arm"] = r["cells"][8]["id"]; })) << "a winner from elsewhere";
+    EXPECT_TRUE(is_refused([](Json& r) { r["answers"][0]["reason"] = "none"; })) << "a winner and no winner";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][1]["error"]["fields"]["normal"].erase("mean_deg"); })) << "field";
     EXPECT_FALSE(is_refused([](Json& r) { r["cells"][0]["colour"] = "blue"; })) << "unknown keys are allowed";
     EXPECT_NE(check("{\"schema\": NaN}"), 0);
 }

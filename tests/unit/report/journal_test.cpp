@@ -7,6 +7,7 @@
 #include "bench/report/merge.h"
 #include "renderer/base/file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -90,7 +91,11 @@ TEST_F(Journal, lines_of_another_kind_or_twice_are_refused) {
     EXPECT_THAT(error_of(group_line), AllOf(HasSubstr(":1: "), HasSubstr("kind \"run\"")));
     EXPECT_THAT(error_of(run_line + run_line), AllOf(HasSubstr(":2: "), HasSubstr("kind \"group\"")));
     EXPECT_THAT(error_of("[1]\n"), AllOf(HasSubstr(":1: "), HasSubstr("'kind' is missing")));
-    EXPECT_THAT(error_of("{\"kind\":\"run\"}\n"), HasSubstr("'run' is missing"));
+    EXPECT_THAT(error_of(fmt::format("{{\"kind\":\"run\",\"schema\":\"{}\"}}\n", kReportSchema)),
+                HasSubstr("'run' is missing"));
+    for (const char* old : {"{\"kind\":\"run\"}\n", "{\"kind\":\"run\",\"schema\":\"lightsweep-report-1\"}\n"}) {
+        EXPECT_THAT(error_of(old), AllOf(HasSubstr(":1:/schema: "), HasSubstr(kReportSchema)));
+    }
 }
 
 TEST_F(Journal, an_existing_file_is_not_overwritten) {

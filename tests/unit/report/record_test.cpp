@@ -44,10 +44,82 @@ TEST(Record, values_survive_the_round_trip) {
     EXPECT_EQ(back.cells[1].params, group.cells[1].params);
     EXPECT_EQ(back.cells[1].samples.wall_ns, group.cells[1].samples.wall_ns);
     EXPECT_EQ(back.cells[1].samples.passes, group.cells[1].samples.passes);  // names, values and their order
-    EXPECT_EQ(back.cells[1].error->display.value("rmse"), group.cells[1].error->display.value("rmse"));
     EXPECT_EQ(back.cells[0].work->skipped, group.cells[0].work->skipped);
     EXPECT_EQ(back.noise->wall_ns, group.noise->wall_ns);
     EXPECT_EQ(back.wall_s, 2.0);
+}
+
+TEST(Record, errors_survive_the_round_trip) {
+    GroupResult group = one_group();
+    group.cells[1].error->control->display.identical = true;
+    const auto back = from_json<GroupResult>(Json::parse(line_text(to_json(group))), "x");
+    const CellError& error = *back.cells[1].error;
+    EXPECT_EQ(error.reference->display.value("flip_mean"), 0.02);
+    EXPECT_EQ(error.reference->hdr.value("rmse"), 0.1);
+    EXPECT_EQ(error.reference->hdr.value("flip_mean"), std::nullopt);
+    EXPECT_FALSE(error.reference->display.identical);
+    EXPECT_EQ(error.control->display.value("flip_mean"), 0.019);
+    EXPECT_TRUE(error.control->display.identical);
+    EXPECT_DOUBLE_EQ(*error.packing_share, 0.95);
+    EXPECT_DOUBLE_EQ(*error.flip_mean_low, 0.018);
+    EXPECT_DOUBLE_EQ(*error.flip_mean_high, 0.022);
+    ASSERT_EQ(error.fields.size(), 2U);
+    EXPECT_EQ(error.fields[0].field, "normal");  // their order too
+    EXPECT_EQ(error.fields[0].unit, "deg");
+    EXPECT_EQ(error.fields[0].mean, 0.02);
+    EXPECT_EQ(error.fields[0].p99, 0.05);
+    EXPECT_EQ(error.fields[0].max, 0.1);
+    EXPECT_EQ(back.reference->key, "00aa");
+    EXPECT_EQ(back.reference->seconds, 0.5);
+    EXPECT_EQ(back.reference->subpixel_bits, 8);
+    EXPECT_EQ(back.reference->control_exact->median, 1e-7);
+    EXPECT_EQ(back.reference->control_exact->above_1e4_px, 7);
+    EXPECT_FALSE(back.reference->control_snapped.has_value());
+}
+
+TEST(Record, what_an_error_lacks_is_null_and_stays_absent) {
+    GroupResult group = one_group();
+    group.reference.reset();
+    group.cells[0].error = CellError{};
+    const Json json = to_json(group);
+    EXPECT_TRUE(json.at("reference").is_null());
+    const Json& error = json.at("cells")[0].at("error");
+    for (const char* key : {"reference", "control", "packing_share", "flip_mean_low", "flip_mean_high"}) {
+        EXPECT_TRUE(error.at(key).is_null()) << key;
+    }
+    EXPECT_EQ(error.at("fields"), Json::object());
+    const auto back = from_json<GroupResult>(json, "x");
+    EXPECT_FALSE(back.reference.has_value());
+    EXPECT_FALSE(back.cells[0].error->reference.has_value());
+    EXPECT_FALSE(back.cells[0].error->packing_share.has_value());
+    EXPECT_TRUE(back.cells[0].error->fields.empty());
+}
+
+TEST(Record, the_units_of_field_errors_stand_in_their_keys) {
+    Json json = to_json(one_group());
+    Json& fields = json["cells"][1]["error"]["fields"];
+    EXPECT_EQ(fields, (Json{{"normal", {{"mean_deg", 0.02}, {"p99_deg", 0.05}, {"max_deg", 0.1}}},
+                            {"roughness", {{"mean_abs", 0.0}, {"p99_abs", 0.0}, {"max_abs", 0.0}}}}));
+    fields["normal"].erase("p99_deg");
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(json, "f:"); }),
+                AllOf(StartsWith("f:/cells/1/error/fields/normal: "), HasSubstr("'p99_deg' is missing")));
+    fields["normal"] = Json::object();
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(json, "f:"); }), HasSubstr("'mean_<unit>' is missing"));
+    fields["normal"] = 3;
+    EXPECT_THAT(input_error([&] { from_json<GroupResult>(json, "f:"); }), HasSubstr("an object was expected"));
+}
+
+TEST(Record, what_was_asked_survives_the_round_trip) {
+    RunInfo run = synthetic_run(3);
+    EXPECT_TRUE(to_json(run).at("max_error").is_null());
+    EXPECT_TRUE(to_json(run).at("max_time_ns").is_null());
+    run.max_error = {.metric = "rmse", .limit = 0.25};
+    run.max_time_ns = 8e6;
+    EXPECT_EQ(to_json(run).at("max_error"), (Json{{"metric", "rmse"}, {"limit", 0.25}}));
+    const auto back = from_json<RunInfo>(to_json(run), "x");
+    EXPECT_EQ(back.max_error->metric, "rmse");
+    EXPECT_EQ(back.max_error->limit, 0.25);
+    EXPECT_EQ(back.max_time_ns, 8e6);
 }
 
 TEST(Record, what_is_not_finite_becomes_null) {
