@@ -93,10 +93,11 @@ struct GroupRunner::Slot {
     std::unique_ptr<Arm> owned;
 };
 
-// What the control arm shows, or why there is none.
-struct GroupRunner::Control {
-    Image hdr, display;
-    std::optional<std::string> failure;
+// What the cells of a group are compared with, or why there is none.
+struct GroupRunner::Truth {
+    std::optional<Picture> control;
+    std::optional<Reference> reference;
+    std::vector<std::string> failures;
 };
 
 CellParams control_cell(const CellParams& any_cell_of_group) {
@@ -116,46 +117,94 @@ FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
     return sample;
 }
 
-GroupRunner::Control GroupRunner::draw_control(const CellParams& cell, const Subject& subject, GroupResult& result) {
+Picture GroupRunner::draw_control(const CellParams& cell, const Subject& subject, GroupResult& result) {
     const int64_t start = now_ns();
-    Control control;
-    try {
-        Arm arm(control_cell(cell), subject, buffers_, shapes_);
-        arm.draw();
-        result.frames_s += seconds_since(start);
-        control.hdr = arm.hdr_image();
-        control.display = arm.display_image();
-    } catch (const std::exception& error) {
-        control.failure = error.what();
-    }
-    return control;
+    Arm arm(control_cell(cell), subject, buffers_, shapes_);
+    arm.draw();
+    result.frames_s += seconds_since(start);
+    return picture_of(arm.hdr_image());
 }
 
-// Makes an arm ready: compiled, its work counted, its picture compared, its caches warm.
-std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subject& subject, const Control& control,
-                                          GroupResult& result, CellResult& cell) {
+GroupRunner::Truth GroupRunner::find_truth(const CellParams& cell, const Subject& subject, GroupResult& result) {
+    Truth truth;
+    try {
+        truth.control = draw_control(cell, subject, result);
+    } catch (const std::exception& error) {
+        truth.failures.push_back(std::string("no error against the control arm: ") + error.what());
+    }
+    try {
+        references_.look_at(subject, buffers_, shapes_);
+        truth.reference = references_.reference(subject);
+        const auto subpixel_bits = static_cast<int>(gl::Context::current()->limits().subpixel_bits);
+        GroupReference& record = result.reference.emplace();
+        record.key = truth.reference->key;
+        record.from_cache = truth.reference->from_cache;
+        record.seconds = truth.reference->seconds;
+        record.subpixel_bits = subpixel_bits;
+        if (truth.control) {
+            const Reference snapped = references_.reference(subject, subpixel_bits);
+            record.from_cache = record.from_cache && snapped.from_cache;
+            record.seconds += snapped.seconds;
+            const auto& surfaces = references_.surfaces();
+            record.control_exact = relative_error(truth.reference->hdr, truth.control->hdr, surfaces);
+            record.control_snapped = relative_error(snapped.hdr, truth.control->hdr, surfaces);
+        }
+    } catch (const std::exception& error) {
+        truth.failures.push_back(std::string("no error against the reference: ") + error.what());
+    }
+    return truth;
+}
+
+// Makes an arm ready: compiled, its work counted, its caches warm.
+std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subject& subject, GroupResult& result,
+                                          CellResult& cell) {
     const int64_t start = now_ns();
     auto arm = std::make_unique<Arm>(params, subject, buffers_, shapes_);
     arm->sample(*timer_);
     cell.first_frame_ns = now_ns() - start;
     result.frames_s += seconds_since(start);
     cell.work = cell_work(*arm, subject);
-    if (control.failure) {
-        cell.warnings.push_back("no error against the control arm: " + *control.failure);
-    } else {
-        cell.error = CellError{.against = "control",
-                               .hdr = compare_images(control.hdr, arm->hdr_image()),
-                               .display = compare_images(control.display, arm->display_image())};
-    }
     const int64_t warm_start = now_ns();
     while (seconds_since(warm_start) < kWarmUpSeconds) take(*arm, result);
     gl::Context::current()->throw_on_debug_errors(cell.name);
     return arm;
 }
 
-void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupResult& result,
-                          std::vector<Slot>& slots) {
-    const Control control = draw_control(group.cells.front(), subject, result);
+const std::vector<FieldError>& GroupRunner::fields_of(const Arm& arm, const Subject& subject) {
+    const Scene& scene = subject.scene.scene();
+    const std::string key =
+        fmt::format("{} {}x{} {}", scene.content_hash, subject.width, subject.height, arm.setup().layout.key);
+    const auto [found, is_new] = fields_.try_emplace(key);
+    if (is_new) {
+        const auto decoded = draw_decoded_surface(arm.setup(), subject, buffers_, shapes_);
+        found->second = field_errors(references_.surfaces(), decoded, subject.scene.needs());
+    }
+    return found->second;
+}
+
+CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const Truth& truth,
+                                  const SamplingRules& rules, const CellResult& cell) {
+    const Picture picture = picture_of(arm.hdr_image());
+    CellError error;
+    if (truth.control) error.control = picture_error(truth.control->hdr, truth.control->display, picture);
+    if (!truth.reference) return error;
+    error.reference = picture_error(truth.reference->hdr, truth.reference->display, picture);
+    if (truth.control) {
+        error.packing_share = packing_share(truth.reference->display, truth.control->display, picture.display);
+    }
+    const FlipMap map = ldr_flip(truth.reference->display, picture.display);
+    if (const auto interval = mean_interval(map)) {
+        error.flip_mean_low = interval->low;
+        error.flip_mean_high = interval->high;
+    }
+    if (!rules.maps_folder.empty()) write_image(flip_picture(map), rules.maps_folder / (cell.id + ".png"));
+    if (!cell.params.layout.empty()) error.fields = fields_of(arm, subject);
+    return error;
+}
+
+void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, const SamplingRules& rules,
+                          GroupResult& result, std::vector<Slot>& slots) {
+    const Truth truth = find_truth(group.cells.front(), subject, result);
     for (const auto& params : group.cells) {
         CellResult cell = new_cell(params, subject.scene.scene(), subject.lights.size());
         const auto fail = [&](CellStatus status, const std::string& reason) {
@@ -165,7 +214,9 @@ void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, GroupR
             cell.error.reset();
         };
         try {
-            auto arm = warm_up(params, subject, control, result, cell);
+            auto arm = warm_up(params, subject, result, cell);
+            cell.error = cell_error(*arm, subject, truth, rules, cell);
+            cell.warnings.insert(cell.warnings.end(), truth.failures.begin(), truth.failures.end());
             slots.push_back({.arm = arm.get(), .cell = result.cells.size(), .twin = false, .owned = std::move(arm)});
         } catch (const InputError& error) {
             fail(CellStatus::invalid, error.what());
@@ -211,7 +262,8 @@ std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start
 
 GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress) {
     const int64_t start_ns = now_ns();
-    GroupResult result{.group = group.key, .cells = {}, .noise = {}};
+    GroupResult result;
+    result.group = group.key;
     const CellParams& first = group.cells.front();
     const GpuScene& gpu_scene = scenes_->gpu_scene(first.scene);
     const Scene& scene = gpu_scene.scene();
@@ -221,7 +273,7 @@ GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules,
                           .width = first.width,
                           .height = first.height};
     std::vector<Slot> slots;
-    prepare(group, subject, result, slots);
+    prepare(group, subject, rules, result, slots);
     if (slots.empty()) return result;
     result.noise = NoiseTwin{.arm = result.cells[slots.front().cell].name, .round = {}, .wall_ns = {}};
     const std::string stop_reason = sample_rounds(rules, start_ns, result, slots, progress);

@@ -3,13 +3,18 @@
 #pragma once
 
 #include "bench/measure/arm.h"
+#include "bench/measure/cell_error.h"
+#include "bench/measure/reference_store.h"
 #include "bench/measure/scene_store.h"
 #include "bench/plan/plan.h"
 #include "bench/report/record.h"
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace lightsweep {
 
@@ -18,6 +23,7 @@ struct SamplingRules {
     double target_ci = 0.02;  ///< stop when every arm's median is known to this half width (fraction)
     int min_rounds = 6;       ///< below this a median has no interval
     int max_rounds = 400;
+    std::filesystem::path maps_folder{};  ///< where each cell's FLIP map goes, as <id>.png; empty: nowhere
 };
 
 /// What a progress bar shows: [0, 1] of this group.
@@ -33,11 +39,16 @@ class GroupRunner {
 
   private:
     struct Slot;
-    struct Control;
-    Control draw_control(const CellParams& cell, const Subject& subject, GroupResult& result);
-    void prepare(const PlanGroup& group, const Subject& subject, GroupResult& result, std::vector<Slot>& slots);
-    std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, const Control& control,
-                                 GroupResult& result, CellResult& cell);
+    struct Truth;
+    Picture draw_control(const CellParams& cell, const Subject& subject, GroupResult& result);
+    Truth find_truth(const CellParams& cell, const Subject& subject, GroupResult& result);
+    void prepare(const PlanGroup& group, const Subject& subject, const SamplingRules& rules, GroupResult& result,
+                 std::vector<Slot>& slots);
+    std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, GroupResult& result,
+                                 CellResult& cell);
+    CellError cell_error(const Arm& arm, const Subject& subject, const Truth& truth, const SamplingRules& rules,
+                         const CellResult& cell);
+    const std::vector<FieldError>& fields_of(const Arm& arm, const Subject& subject);
     std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
                               std::vector<Slot>& slots, const GroupProgress& progress);
     FrameSample take(Arm& arm, GroupResult& result);
@@ -47,9 +58,11 @@ class GroupRunner {
     std::unique_ptr<FrameTimer> timer_;
     FrameBuffers buffers_;
     DrawShapes shapes_;
+    ReferenceStore references_;
+    std::map<std::string, std::vector<FieldError>> fields_;  ///< by scene, size and layout: lights change nothing here
 };
 
-/// The control arm of a group: nothing packed. Errors of all its cells are taken against this image.
+/// The control arm of a group: nothing packed. What its cells' pictures differ from this one's is the packing's doing.
 CellParams control_cell(const CellParams& any_cell_of_group);
 
 }  // namespace lightsweep

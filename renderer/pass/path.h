@@ -40,7 +40,8 @@ struct Write {
 struct Shader {
     std::string vertex{}, fragment{};    ///< below shaders/, without `.vert.glsl` and `.frag.glsl`
     std::vector<std::string> defines{};  ///< besides those of the scene's needs
-    /// Text that stands for an include ("lib/brdf.glsl"): the harness plants faults this way, to see that they are found.
+    /// Text that stands for an include ("lib/brdf.glsl"): the harness plants faults this way, to see that they are
+    /// found.
     std::map<std::string, std::string> replaced{};
 };
 

@@ -60,8 +60,12 @@ TEST(GroupRunner, KeepsEverySampleAndTheyAddUp) {
         }
         EXPECT_EQ(s.passes.back().first, "unattributed");
         EXPECT_GT(*cell.first_frame_ns, 0);
-        ASSERT_TRUE(cell.error);
-        EXPECT_EQ(cell.error->against, "control");
+        ASSERT_TRUE(cell.error && cell.error->reference && cell.error->control);
+        EXPECT_EQ(cell.error->fields.empty(), cell.params.layout.empty()) << "fields of paths with a layout";
+        // The interval is about the mean of equal regions, which is the map's mean but for regions a pixel larger.
+        const double flip = *cell.error->reference->display.value("flip_mean");
+        EXPECT_LT(*cell.error->flip_mean_low, flip * 1.05 + 1e-6);
+        EXPECT_GT(*cell.error->flip_mean_high, flip * 0.95);
         EXPECT_GT(*cell.work->light_evaluations, 0);
     }
     ASSERT_TRUE(result.noise);
@@ -87,9 +91,34 @@ TEST(GroupRunner, ControlEqualsItself) {
     PlanGroup group = group_of("cornell", 8, {{"deferred", "float32"}});
     group.cells.front().hdr = "rgba32f";
     const auto result = run_group(group, 6);
-    ASSERT_TRUE(result.cells.front().error);
-    EXPECT_TRUE(result.cells.front().error->hdr.identical);
-    EXPECT_TRUE(result.cells.front().error->display.identical);
+    const auto& error = result.cells.front().error;
+    ASSERT_TRUE(error && error->control && error->packing_share);
+    EXPECT_TRUE(error->control->hdr.identical);
+    EXPECT_TRUE(error->control->display.identical);
+    EXPECT_EQ(*error->packing_share, 0.0) << "nothing is packed: all of the error is arithmetic";
+    ASSERT_TRUE(result.reference && result.reference->control_exact);
+    EXPECT_LT(result.reference->control_exact->median, 2e-6);
+}
+
+TEST(GroupRunner, PackingHasItsShareOfTheError) {
+    PlanGroup group = group_of("cornell", 8, {{"deferred", "lecture"}, {"forward", ""}});
+    for (auto& cell : group.cells) cell.hdr = "rgba32f";  // a half-float target alone costs a third of this error
+    const auto result = run_group(group, 6);
+    const auto& packed = result.cells[0].error;
+    ASSERT_TRUE(packed && packed->packing_share);
+    EXPECT_NEAR(*packed->packing_share, 1.0, 1e-2) << "8-bit normals err far more than arithmetic does";
+    EXPECT_GT(*packed->reference->display.value("flip_mean"),
+              10.0 * *result.cells[1].error->reference->display.value("flip_mean"));
+    ASSERT_FALSE(packed->fields.empty());
+    EXPECT_EQ(packed->fields.front().field, "normal");
+    EXPECT_GT(packed->fields.front().mean, 0.05) << "degrees";
+}
+
+TEST(GroupRunner, ASecondRunComputesNoReference) {
+    PlanGroup group = group_of("cornell", 5, {{"forward", ""}});
+    group.cells.front().width = 130;  // a view of this test's own
+    EXPECT_FALSE(run_group(group, 2).reference->from_cache);
+    EXPECT_TRUE(run_group(group, 2).reference->from_cache);
 }
 
 TEST(GroupRunner, AFailedCellIsRecordedAndTheRestGoesOn) {

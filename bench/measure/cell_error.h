@@ -1,0 +1,54 @@
+// How far a cell's picture and its G-buffer are from what they should be. Pure functions of images and numbers.
+#pragma once
+
+#include "bench/measure/reference_store.h"
+#include "bench/metrics/flip.h"
+
+#include <span>
+#include <vector>
+
+namespace lightsweep {
+
+/// What an arm shows, as the metrics take it.
+struct Picture {
+    Image hdr;
+    Image display;  ///< tone_mapped(hdr): no rounding to 8 bits hides what a layout loses
+};
+
+Picture picture_of(Image hdr);
+
+PictureError picture_error(const Image& true_hdr, const Image& true_display, const Picture& test);
+
+/// <e, p> / <e, e> over display values, e = test - reference, p = test - control; nothing when e is zero everywhere.
+std::optional<double> packing_share(const Image& reference, const Image& control, const Image& test);
+
+/// Ends of the interval (level 0.95) of the map's mean, as if the means of its 8 x 8 equal regions were independent
+/// samples: how much the number hangs on what the picture happens to show. Nothing for maps below 8 pixels a side.
+struct MeanInterval {
+    double low = 0.0, high = 0.0;
+};
+std::optional<MeanInterval> mean_interval(const FlipMap& map);
+
+/// |v - r| / |r| by the pixels' largest channels, over the pixels that a surface covers and light reaches.
+RelativeError relative_error(const Image& reference, const Image& test, std::span<const ReferenceSurface> surfaces);
+
+/// What shading reads of each pixel, from a layout's G-buffer (build_decoded_surface), row by row from the top.
+struct DecodedSurface {
+    glm::vec3 position;
+    glm::vec3 normal;
+    glm::vec3 base_color;
+    float roughness;
+    float metallic;
+    bool covered;
+};
+
+/// Draws the layout's G-buffer of the subject's view and reads it back.
+std::vector<DecodedSurface> draw_decoded_surface(const PathSetup& setup, const Subject& subject, FrameBuffers& buffers,
+                                                 const DrawShapes& shapes);
+
+/// The error of each field over the pixels that both cover: normal (degrees), position (by distance), base colour,
+/// roughness, metallic (absolute). Fields that the scene does not need are left out.
+std::vector<FieldError> field_errors(std::span<const ReferenceSurface> truth, std::span<const DecodedSurface> decoded,
+                                     const SceneNeeds& needs);
+
+}  // namespace lightsweep
