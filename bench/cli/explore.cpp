@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -96,6 +97,7 @@ fs::path write_sweep(const ExploreOptions& options, const CellParams& view, cons
 }
 
 int explore_and_run(ExploreOptions options, const std::vector<std::string>& arguments) {
+    check_run_options(options.run);
     const CellParams view = view_of(options);
     if (options.run.out.empty()) options.run.out = "out/explore-" + fs::path(view.scene).stem().string();
     if (fs::exists(fs::path(options.run.out) / "journal.jsonl")) {
@@ -105,6 +107,7 @@ int explore_and_run(ExploreOptions options, const std::vector<std::string>& argu
     print_exploration(found);
     options.run.sweep = write_sweep(options, view, found).string();
     fmt::print("layouts and sweep: {}\n\n", options.run.out);
+    std::fflush(stdout);  // before the run's own lines on stderr
     return run_sweep(options.run, arguments);
 }
 
@@ -125,6 +128,7 @@ Command add_explore(CLI::App& app, const std::vector<std::string>& arguments) {
     command->add_option("--time-budget", options->run.time_budget, "for timing: 30s, 1m");
     command->add_option("--max-error", options->run.max_error, "ask for the cheapest arm within: flip=0.01");
     command->add_option("--max-time", options->run.max_time, "ask for the most exact arm within: 8ms");
+    command->add_flag("--allow-debug", options->run.allow_debug, "measure with a Debug build all the same");
     command->add_option("--timer", options->run.timer, "use this timer, without the self-test");
     command->add_flag("--maps", options->run.maps, "write each layout's FLIP map");
     return [options, arguments] { return explore_and_run(*options, arguments); };

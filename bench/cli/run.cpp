@@ -175,11 +175,23 @@ void run_groups(const Plan& plan, const std::set<std::string>& done, GroupRunner
 
 }  // namespace
 
-int run_sweep(const RunOptions& options, const std::vector<std::string>& arguments) {
-    const int64_t start_ns = now_ns();
+void check_run_options(const RunOptions& options) {
     if (program_build_type() == "Debug" && !options.allow_debug && !options.dry_run) {
         throw EnvironmentError("this is a Debug build: its times say nothing; build Release (or give --allow-debug)");
     }
+    if (!options.time_budget.empty()) parse_duration(options.time_budget);
+    if (!options.target_ci.empty()) parse_share(options.target_ci);
+    if (!options.max_error.empty()) parse_error_limit(options.max_error);
+    if (!options.max_time.empty()) parse_time_ns(options.max_time);
+    if (!options.timer.empty() &&
+        std::find(timer_methods().begin(), timer_methods().end(), options.timer) == timer_methods().end()) {
+        throw InputError(unknown_name("timer", options.timer, timer_methods()));
+    }
+}
+
+int run_sweep(const RunOptions& options, const std::vector<std::string>& arguments) {
+    const int64_t start_ns = now_ns();
+    check_run_options(options);
     const Catalog names = program_catalog();
     const Sweep sweep = load_sweep(options.sweep, names);
     const Plan plan =
@@ -188,10 +200,6 @@ int run_sweep(const RunOptions& options, const std::vector<std::string>& argumen
     if (!options.time_budget.empty()) budget_s = parse_duration(options.time_budget);
     const double target_ci =
         options.target_ci.empty() ? sweep.target_ci.value_or(0.02) : parse_share(options.target_ci);
-    if (!options.timer.empty() &&
-        std::find(timer_methods().begin(), timer_methods().end(), options.timer) == timer_methods().end()) {
-        throw InputError(unknown_name("timer", options.timer, timer_methods()));
-    }
     const RunInfo info = make_run_info(plan, options, budget_s, target_ci, arguments);
     SceneStore scenes(options.seed);
     check_inputs(plan, scenes);

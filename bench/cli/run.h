@@ -19,6 +19,9 @@ struct RunOptions {
     bool maps = false, resume = false, dry_run = false, allow_debug = false;
 };
 
+/// Throws InputError where run_sweep() would for what these options say, apart from the sweep itself.
+void check_run_options(const RunOptions& options);
+
 /// Measures the sweep and returns the program's exit code. `arguments`: of the whole program, for the report.
 int run_sweep(const RunOptions& options, const std::vector<std::string>& arguments);
 

@@ -47,6 +47,11 @@ PictureError picture_error(const Image& true_hdr, const Image& true_display, con
             .display = measure_error(image_pair(true_display, test.display))};
 }
 
+PictureError control_error(const Picture& control, const Picture& test) {
+    return {.hdr = measure_error(image_pair(control.hdr, test.hdr), "flip"),
+            .display = measure_error(image_pair(control.display, test.display))};
+}
+
 std::optional<double> packing_share(const Image& reference, const Image& control, const Image& test) {
     CHECK(reference.rgb.size() == test.rgb.size() && control.rgb.size() == test.rgb.size());
     double along = 0.0, all = 0.0;

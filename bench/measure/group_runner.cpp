@@ -186,7 +186,7 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
                                   const SamplingRules& rules, const CellResult& cell) {
     const Picture picture = picture_of(arm.hdr_image());
     CellError error;
-    if (truth.control) error.control = picture_error(truth.control->hdr, truth.control->display, picture);
+    if (truth.control) error.control = control_error(*truth.control, picture);
     if (!truth.reference) return error;
     error.reference = picture_error(truth.reference->hdr, truth.reference->display, picture);
     if (truth.control) {

@@ -14,10 +14,11 @@ std::optional<double> ImageError::value(std::string_view key) const {
     return values[static_cast<size_t>(found - keys.begin())];
 }
 
-ImageError measure_error(const ImagePair& pair) {
+ImageError measure_error(const ImagePair& pair, std::string_view without) {
     ImageError error;
     for (const Metric* metric : all_metrics()) {
-        const auto values = metric->measure(pair);
+        const auto values =
+            metric->key == without ? std::vector<std::optional<double>>(metric->values.size()) : metric->measure(pair);
         CHECK_THAT(values.size() == metric->values.size(), "{} gave {} numbers", metric->key, values.size());
         error.values.insert(error.values.end(), values.begin(), values.end());
     }

@@ -64,11 +64,14 @@ class ProgramTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="lightsweep-")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        cache = tempfile.TemporaryDirectory(prefix="lightsweep-cache-")
+        self.addCleanup(cache.cleanup)
+        self.cache = cache.name  # of references: neither the user's own nor another test's
 
     def environment(self, **variables):
         """Without the user's own wishes."""
         kept = {name: value for name, value in os.environ.items() if name not in ("LIGHTSWEEP_DEVICE", "LIGHTSWEEP_HOME")}
-        return kept | {name: str(value) for name, value in variables.items()}
+        return kept | {"LIGHTSWEEP_CACHE": self.cache} | {name: str(value) for name, value in variables.items()}
 
     def without_gl(self):
         """An environment in which no GL driver can be loaded: EGL finds no vendor, and the OSMesa in reach is an empty file."""

@@ -16,8 +16,8 @@
 //   luminance     s, for grey speculars
 //   rebuilt z     z^2 (f - n) / (f n) for each unit of depth. In fixed point one step, and two more of 2^-24, since the
 //                 rasteriser interpolates depth in 32-bit float, whose step just below 1 that is. In float, reversed,
-//                 2^-23 of z. The position lies that far along its ray, and beside it by the rasteriser's snapping
-//                 of vertices to 1/256 px.
+//                 2^-23 of z. The position lies that far along its ray; the one it is compared with may lie beside the
+//                 ray, where a device interpolates over vertices snapped to 1/256 px.
 // and on top of each the 32-bit arithmetic of encoding and decoding, some 1e-6.
 #include "tests/gl/fixture.h"
 
