@@ -2,7 +2,6 @@
 
 #include "bench/stats/quantile.h"
 #include "renderer/base/check.h"
-#include "renderer/paths/probes.h"
 #include "renderer/reference/reference.h"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace {
 constexpr int kRegions = 8;  // along each side
 // Student's t for 63 degrees of freedom, 0.975: 64 regions give 95 %.
 constexpr double kStudent63 = 1.9983;
-constexpr double kUnexplained = 1e-4;  // a relative error that 32-bit arithmetic alone does not give
+constexpr double kUnusual = 1e-4;  // a relative error that 32-bit arithmetic alone does not give
 
 double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -27,13 +26,31 @@ double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-FieldError summed_up(std::string field, std::string unit, const std::vector<double>& errors) {
-    return {.field = std::move(field),
-            .unit = std::move(unit),
-            .mean = mean_of(errors),
-            .p99 = quantile(errors, 0.99),
-            .max = *std::max_element(errors.begin(), errors.end())};
+bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool finite(const DecodedSurface& s) {
+    return finite(s.position) && finite(s.normal) && finite(s.base_color) && finite(s.specular) && finite(s.emissive) &&
+           std::isfinite(s.roughness) && std::isfinite(s.metallic);
 }
+
+/// One field's errors, pixel by pixel.
+class FieldErrors {
+  public:
+    FieldErrors(std::string field, std::string unit) : field_(std::move(field)), unit_(std::move(unit)) {}
+    void add(double error) { errors_.push_back(error); }
+    bool empty() const { return errors_.empty(); }
+    FieldError summed_up() const {
+        return {.field = field_,
+                .unit = unit_,
+                .mean = mean_of(errors_),
+                .p99 = quantile(errors_, 0.99),
+                .max = *std::max_element(errors_.begin(), errors_.end())};
+    }
+
+  private:
+    std::string field_, unit_;
+    std::vector<double> errors_;
+};
 
 }  // namespace
 
@@ -94,67 +111,61 @@ std::optional<MeanInterval> mean_interval(const FlipMap& map) {
 
 RelativeError relative_error(const Image& reference, const Image& test, std::span<const ReferenceSurface> surfaces) {
     CHECK(reference.pixel_count() == test.pixel_count() && surfaces.size() == test.pixel_count());
+    RelativeError result;
     std::vector<double> errors;
     for (size_t i = 0; i < surfaces.size(); ++i) {
         const glm::dvec3 r(reference.rgb[3 * i], reference.rgb[3 * i + 1], reference.rgb[3 * i + 2]);
         const glm::dvec3 v(test.rgb[3 * i], test.rgb[3 * i + 1], test.rgb[3 * i + 2]);
-        if (surfaces[i].covered && largest(r) > 0.0) errors.push_back(largest(v - r) / largest(r));
+        if (!surfaces[i].covered || largest(r) == 0.0) continue;
+        if (finite(glm::vec3(r)) && finite(glm::vec3(v))) {
+            errors.push_back(largest(v - r) / largest(r));
+        } else {
+            ++result.above_1e4_px;
+        }
     }
-    RelativeError result;
     if (errors.empty()) return result;
     result.median = median(errors);
     result.p99 = quantile(errors, 0.99);
     result.max = *std::max_element(errors.begin(), errors.end());
-    result.above_1e4_px = std::count_if(errors.begin(), errors.end(), [](double e) { return !(e <= kUnexplained); });
+    result.above_1e4_px += std::count_if(errors.begin(), errors.end(), [](double e) { return e > kUnusual; });
     return result;
 }
 
-std::vector<DecodedSurface> draw_decoded_surface(const PathSetup& setup, const Subject& subject, FrameBuffers& buffers,
-                                                 const DrawShapes& shapes) {
-    const DecodedSurfacePath probe = build_decoded_surface(setup);
-    Arm arm(probe.path, setup, subject, buffers, shapes);
-    arm.draw();
-    const auto position = arm.path().texture(probe.position_roughness).read_floats(4);
-    const auto normal = arm.path().texture(probe.normal_metallic).read_floats(4);
-    const auto color = arm.path().texture(probe.base_color_covered).read_floats(4);
-    const auto rgb = [](const std::vector<float>& rgba, size_t i) {
-        return glm::vec3(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]);
-    };
-    std::vector<DecodedSurface> surfaces;
-    surfaces.reserve(color.size() / 4);
-    for (int y = subject.height - 1; y >= 0; --y) {  // GL's first row is the bottom one
-        for (int x = 0; x < subject.width; ++x) {
-            const size_t i = static_cast<size_t>(y) * subject.width + x;
-            surfaces.push_back({.position = rgb(position, i),
-                                .normal = rgb(normal, i),
-                                .base_color = rgb(color, i),
-                                .roughness = position[4 * i + 3],
-                                .metallic = normal[4 * i + 3],
-                                .covered = color[4 * i + 3] > 0.5F});
-        }
-    }
-    return surfaces;
-}
-
-std::vector<FieldError> field_errors(std::span<const ReferenceSurface> truth, std::span<const DecodedSurface> decoded,
-                                     const SceneNeeds& needs) {
+LayoutError layout_error(std::span<const ReferenceSurface> truth, std::span<const DecodedSurface> decoded,
+                         const SceneNeeds& needs) {
     CHECK(truth.size() == decoded.size());
-    std::vector<double> normal, position, base_color, roughness, metallic;
+    LayoutError result;
+    FieldErrors normal("normal", "deg"), position("position", "rel"), base_color("base_color", "abs"),
+        specular("specular", "abs"), roughness("roughness", "abs"), metallic("metallic", "abs"),
+        emissive("emissive", "rel");
     for (size_t i = 0; i < truth.size(); ++i) {
         const ReferenceSurface& t = truth[i];
         const DecodedSurface& d = decoded[i];
-        if (!t.covered || !d.covered) continue;
-        normal.push_back(angle_deg(t.normal, glm::dvec3(d.normal)));
-        position.push_back(glm::length(glm::dvec3(d.position) - t.position) / glm::length(t.position));
-        base_color.push_back(largest(glm::dvec3(d.base_color) - t.base_color));
-        roughness.push_back(std::abs(static_cast<double>(d.roughness) - t.roughness));
-        metallic.push_back(std::abs(static_cast<double>(d.metallic) - t.metallic));
+        if (!t.covered && !d.covered) continue;
+        if (t.covered != d.covered || !finite(d)) {
+            ++result.lost_px;
+            continue;
+        }
+        normal.add(angle_deg(t.normal, glm::dvec3(d.normal)));
+        position.add(glm::length(glm::dvec3(d.position) - t.position) / glm::length(t.position));
+        base_color.add(largest(glm::dvec3(d.base_color) - t.base_color));
+        specular.add(largest(glm::dvec3(d.specular) - t.specular));
+        roughness.add(std::abs(static_cast<double>(d.roughness) - t.roughness));
+        metallic.add(std::abs(static_cast<double>(d.metallic) - t.metallic));
+        if (largest(t.emissive) > 0.0) {
+            emissive.add(largest(glm::dvec3(d.emissive) - t.emissive) / largest(t.emissive));
+        }
     }
-    if (normal.empty()) return {};
-    std::vector<FieldError> result = {summed_up("normal", "deg", normal), summed_up("position", "rel", position),
-                                      summed_up("base_color", "abs", base_color)};
-    if (needs.roughness) result.push_back(summed_up("roughness", "abs", roughness));
-    if (needs.metallic) result.push_back(summed_up("metallic", "abs", metallic));
+    const std::pair<const FieldErrors*, bool> fields[] = {{&normal, true},
+                                                          {&position, true},
+                                                          {&base_color, true},
+                                                          {&specular, needs.specular},
+                                                          {&roughness, needs.roughness},
+                                                          {&metallic, needs.metallic},
+                                                          {&emissive, needs.emissive}};
+    for (const auto& [errors, needed] : fields) {
+        if (needed && !errors->empty()) result.fields.push_back(errors->summed_up());
+    }
     return result;
 }
 

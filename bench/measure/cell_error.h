@@ -1,8 +1,10 @@
 // How far a cell's picture and its G-buffer are from what they should be. Pure functions of images and numbers.
 #pragma once
 
-#include "bench/measure/reference_store.h"
+#include "bench/measure/surface_probes.h"
 #include "bench/metrics/flip.h"
+#include "bench/report/record.h"
+#include "renderer/reference/surfaces.h"
 
 #include <span>
 #include <vector>
@@ -32,26 +34,20 @@ struct MeanInterval {
 };
 std::optional<MeanInterval> mean_interval(const FlipMap& map);
 
-/// |v - r| / |r| by the pixels' largest channels, over the pixels that a surface covers and light reaches.
+/// |v - r| / |r| by the pixels' largest channels, over the pixels that a surface covers and light reaches. A pixel that
+/// is not finite counts among those above 1e-4 and nowhere else.
 RelativeError relative_error(const Image& reference, const Image& test, std::span<const ReferenceSurface> surfaces);
 
-/// What shading reads of each pixel, from a layout's G-buffer (build_decoded_surface), row by row from the top.
-struct DecodedSurface {
-    glm::vec3 position;
-    glm::vec3 normal;
-    glm::vec3 base_color;
-    float roughness;
-    float metallic;
-    bool covered;
+/// The errors of a layout's fields, over the pixels that both take for covered and whose decoded values are finite.
+struct LayoutError {
+    /// normal (degrees), position (relative to its distance), base_color, specular, roughness, metallic (absolute,
+    /// largest channel), emissive (relative, over the pixels that shine). Fields that the scene does not need are left
+    /// out.
+    std::vector<FieldError> fields;
+    int64_t lost_px = 0;  ///< the other pixels that either takes for covered
 };
 
-/// Draws the layout's G-buffer of the subject's view and reads it back.
-std::vector<DecodedSurface> draw_decoded_surface(const PathSetup& setup, const Subject& subject, FrameBuffers& buffers,
-                                                 const DrawShapes& shapes);
-
-/// The error of each field over the pixels that both cover: normal (degrees), position (by distance), base colour,
-/// roughness, metallic (absolute). Fields that the scene does not need are left out.
-std::vector<FieldError> field_errors(std::span<const ReferenceSurface> truth, std::span<const DecodedSurface> decoded,
-                                     const SceneNeeds& needs);
+LayoutError layout_error(std::span<const ReferenceSurface> truth, std::span<const DecodedSurface> decoded,
+                         const SceneNeeds& needs);
 
 }  // namespace lightsweep

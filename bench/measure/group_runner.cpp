@@ -170,20 +170,21 @@ std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subjec
     return arm;
 }
 
-const std::vector<FieldError>& GroupRunner::fields_of(const Arm& arm, const Subject& subject) {
+const LayoutError& GroupRunner::layout_error_of(const CellParams& params, const Arm& arm, const Subject& subject) {
     const Scene& scene = subject.scene.scene();
+    // By the layout as the user named it: two files may have one key.
     const std::string key =
-        fmt::format("{} {}x{} {}", scene.content_hash, subject.width, subject.height, arm.setup().layout.key);
-    const auto [found, is_new] = fields_.try_emplace(key);
+        fmt::format("{} {}x{} {}", scene.content_hash, subject.width, subject.height, params.layout);
+    const auto [found, is_new] = layout_errors_.try_emplace(key);
     if (is_new) {
         const auto decoded = draw_decoded_surface(arm.setup(), subject, buffers_, shapes_);
-        found->second = field_errors(references_.surfaces(), decoded, subject.scene.needs());
+        found->second = layout_error(references_.surfaces(), decoded, subject.scene.needs());
     }
     return found->second;
 }
 
 CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const Truth& truth,
-                                  const SamplingRules& rules, const CellResult& cell) {
+                                  const SamplingRules& rules, CellResult& cell) {
     const Picture picture = picture_of(arm.hdr_image());
     CellError error;
     if (truth.control) error.control = control_error(*truth.control, picture);
@@ -197,8 +198,18 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
         error.flip_mean_low = interval->low;
         error.flip_mean_high = interval->high;
     }
-    if (!rules.maps_folder.empty()) write_image(flip_picture(map), rules.maps_folder / (cell.id + ".png"));
-    if (!cell.params.layout.empty()) error.fields = fields_of(arm, subject);
+    if (!rules.maps_folder.empty()) {
+        try {
+            write_image(flip_picture(map), rules.maps_folder / (cell.id + ".png"));
+        } catch (const InputError& failure) {  // a full disk must not cost what is measured
+            cell.warnings.push_back(std::string("no FLIP map: ") + failure.what());
+        }
+    }
+    if (!cell.params.layout.empty()) {
+        const LayoutError& layout = layout_error_of(cell.params, arm, subject);
+        error.fields = layout.fields;
+        error.lost_px = layout.lost_px;
+    }
     return error;
 }
 

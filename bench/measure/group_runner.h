@@ -47,8 +47,8 @@ class GroupRunner {
     std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, GroupResult& result,
                                  CellResult& cell);
     CellError cell_error(const Arm& arm, const Subject& subject, const Truth& truth, const SamplingRules& rules,
-                         const CellResult& cell);
-    const std::vector<FieldError>& fields_of(const Arm& arm, const Subject& subject);
+                         CellResult& cell);
+    const LayoutError& layout_error_of(const CellParams& params, const Arm& arm, const Subject& subject);
     std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
                               std::vector<Slot>& slots, const GroupProgress& progress);
     FrameSample take(Arm& arm, GroupResult& result);
@@ -59,7 +59,7 @@ class GroupRunner {
     FrameBuffers buffers_;
     DrawShapes shapes_;
     ReferenceStore references_;
-    std::map<std::string, std::vector<FieldError>> fields_;  ///< by scene, size and layout: lights change nothing here
+    std::map<std::string, LayoutError> layout_errors_;  ///< by scene, size and layout: lights change nothing here
 };
 
 /// The control arm of a group: nothing packed. What its cells' pictures differ from this one's is the packing's doing.

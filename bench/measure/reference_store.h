@@ -2,8 +2,7 @@
 // picture in double precision, and keeps pictures on disk between runs.
 #pragma once
 
-#include "bench/measure/arm.h"
-#include "bench/report/record.h"
+#include "bench/measure/surface_probes.h"
 #include "renderer/reference/cache.h"
 #include "renderer/reference/surfaces.h"
 
@@ -12,9 +11,6 @@
 #include <vector>
 
 namespace lightsweep {
-
-/// Draws the visibility pass of the subject's view and reads it back.
-Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes);
 
 struct Reference {
     Image hdr;      ///< linear radiance

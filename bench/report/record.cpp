@@ -9,6 +9,7 @@
 
 namespace lightsweep {
 
+const std::vector<std::string> kBoundableMetrics{"flip_mean", "rmse", "mrse", "max_abs"};
 const std::vector<std::string> kCellStatusNames{"ok", "skipped", "invalid", "error", "timeout", "crashed"};
 
 // --- The fields of each struct and their keys, once for both directions. `T` is the struct, const or not. ---
@@ -22,11 +23,6 @@ concept Is = std::same_as<std::remove_const_t<T>, Record>;
 void visit_fields(Is<Shard> auto& r, auto visit) {
     visit("index", r.index);
     visit("count", r.count);
-}
-
-void visit_fields(Is<ErrorLimit> auto& r, auto visit) {
-    visit("metric", r.metric);
-    visit("limit", r.limit);
 }
 
 void visit_fields(Is<RunInfo> auto& r, auto visit) {
@@ -122,6 +118,7 @@ void visit_fields(Is<CellError> auto& r, auto visit) {
     visit("flip_mean_low", r.flip_mean_low);
     visit("flip_mean_high", r.flip_mean_high);
     visit("fields", r.fields);
+    visit("lost_px", r.lost_px);
 }
 
 void visit_fields(Is<RelativeError> auto& r, auto visit) {
@@ -181,6 +178,22 @@ struct Codec<CellStatus> {
         const auto found = std::find(kCellStatusNames.begin(), kCellStatusNames.end(), name);
         if (found == kCellStatusNames.end()) throw InputError(where, unknown_name("status", name, kCellStatusNames));
         return static_cast<CellStatus>(found - kCellStatusNames.begin());
+    }
+};
+
+template <>
+struct Codec<ErrorLimit> {
+    static Json encode(const ErrorLimit& limit) {
+        return {{"metric", limit.metric}, {"limit", codec::encode(limit.limit)}};
+    }
+    static ErrorLimit decode(const Json& json, const std::string& where) {
+        ErrorLimit result{.metric = member<std::string>(json, "metric", where),
+                          .limit = member<double>(json, "limit", where)};
+        if (std::ranges::find(kBoundableMetrics, result.metric) == kBoundableMetrics.end()) {
+            throw InputError(where + "/metric", unknown_name("metric", result.metric, kBoundableMetrics));
+        }
+        if (!(result.limit >= 0.0)) throw InputError(where + "/limit", "a number from 0 was expected");
+        return result;
     }
 };
 

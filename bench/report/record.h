@@ -23,9 +23,12 @@ using Json = nlohmann::ordered_json;
 /// The version of the structs below, which reports and journals share: their key "schema".
 inline constexpr const char* kReportSchema = "lightsweep-report-2";
 
+/// The metrics of a picture that can be bounded from above: those whose smaller values are better.
+extern const std::vector<std::string> kBoundableMetrics;
+
 /// A bound on one metric of the display picture against the reference.
 struct ErrorLimit {
-    std::string metric;  ///< flip_mean, rmse, ...: lower is better
+    std::string metric;  ///< one of kBoundableMetrics
     double limit = 0.0;
 };
 
@@ -134,8 +137,8 @@ struct PictureError {
 
 /// How far one field of the surface, as shading reads it, is from the reference's surface, over the covered pixels.
 struct FieldError {
-    std::string field;  ///< normal, position, base_color, roughness, metallic
-    std::string unit;   ///< deg, rel (by the distance from the eye), abs (largest channel)
+    std::string field;  ///< normal, position, base_color, specular, roughness, metallic, emissive
+    std::string unit;   ///< deg, rel (to the distance from the eye, to the radiance), abs (largest channel)
     double mean = 0.0;
     double p99 = 0.0;
     double max = 0.0;
@@ -150,6 +153,8 @@ struct CellError {
     /// Ends of the interval (kIntervalLevel) of reference.display's flip_mean, from the means of 64 equal regions.
     std::optional<double> flip_mean_low, flip_mean_high;
     std::vector<FieldError> fields;  ///< of a path with a layout
+    /// Pixels that only one of layout and reference takes for covered, or whose decoded values are not finite.
+    int64_t lost_px = 0;
 };
 
 /// A distribution of |v - r| / |r| (per pixel, largest channels) over the covered pixels.

@@ -31,15 +31,20 @@ DecodedSurfacePath build_decoded_surface(const PathSetup& s) {
     Path& path = result.path;
     const auto gbuffer = path.add(s.layout.targets);
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
-    result.position_roughness = path.add({.name = "position, roughness", .format = gl::Format::RGBA32F});
-    result.normal_metallic = path.add({.name = "normal, metallic", .format = gl::Format::RGBA32F});
-    result.base_color_covered = path.add({.name = "base colour, covered", .format = gl::Format::RGBA32F});
+    const auto add = [&](const char* name) { return path.add({.name = name, .format = gl::Format::RGBA32F}); };
+    result.position_roughness = add("position, roughness");
+    result.normal_metallic = add("normal, metallic");
+    result.base_color_covered = add("base colour, covered");
+    result.specular = add("specular");
+    result.emissive = add("emissive");
     path.passes = {
         gbuffer_pass(s, gbuffer, path.depth),
         {.name = "decode",
          .shader = {"paths/fullscreen", "paths/decoded_surface", gbuffer_read_defines(s.layout)},
          .reads = join(gbuffer, path.depth),
-         .writes = all({result.position_roughness, result.normal_metallic, result.base_color_covered}, Load::discard),
+         .writes = all({result.position_roughness, result.normal_metallic, result.base_color_covered, result.specular,
+                        result.emissive},
+                       Load::discard),
          .record = draw_full_screen},
     };
     return result;

@@ -19,7 +19,7 @@ VisibleTrianglePath build_visible_triangles(const PathSetup& setup);
 struct DecodedSurfacePath {
     Path path;
     /// RGBA32F each. base_color_covered.a is 1 where a surface is.
-    TargetId position_roughness, normal_metallic, base_color_covered;
+    TargetId position_roughness, normal_metallic, base_color_covered, specular, emissive;
 };
 
 /// Fills the layout's G-buffer and reads it back as shading does.

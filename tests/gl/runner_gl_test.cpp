@@ -5,17 +5,21 @@
 #include "bench/stats/linear_fit.h"
 #include "bench/stats/quantile.h"
 #include "bench/stats/schedule.h"
+#include "renderer/base/file.h"
 #include "renderer/pass/recorder.h"
 #include "renderer/post/post.h"
 #include "tests/gl/fixture.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace lightsweep {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 PlanGroup group_of(const std::string& scene, int lights, const std::vector<std::pair<std::string, std::string>>& arms) {
@@ -112,6 +116,54 @@ TEST(GroupRunner, PackingHasItsShareOfTheError) {
     ASSERT_FALSE(packed->fields.empty());
     EXPECT_EQ(packed->fields.front().field, "normal");
     EXPECT_GT(packed->fields.front().mean, 0.05) << "degrees";
+}
+
+TEST(GroupRunner, LayoutsOfOneNameAreToldApart) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "two_of_a_name";
+    std::vector<std::pair<std::string, std::string>> arms;
+    for (const char* layout : {"oct32", "lecture"}) {
+        std::filesystem::create_directories(folder / layout);
+        write_file_atomically(folder / layout / "mine.json",
+                              read_file(resource(fmt::format("shaders/gbuffer/layouts/{}.json", layout))));
+        arms.emplace_back("deferred", (folder / layout / "mine.json").string());
+    }
+    const auto result = run_group(group_of("spheres", 2, arms), 2);
+    const auto normal = [&](size_t i) { return result.cells[i].error->fields.front().mean; };
+    EXPECT_GT(normal(1), 10.0 * normal(0)) << "8-bit normals against 16-bit ones";
+    std::filesystem::remove_all(folder);
+}
+
+TEST(GroupRunner, AMapThatCannotBeWrittenCostsNothing) {
+    SceneStore scenes;
+    const std::atomic<bool> never{false};
+    GroupRunner runner(scenes, "finish_clock", never);
+    SamplingRules rules{.min_rounds = 2, .max_rounds = 2};
+    rules.maps_folder = "/nowhere/at/all";
+    const auto result = runner.run(group_of("cornell", 2, {{"forward", ""}}), rules, [](double) {});
+    const CellResult& cell = result.cells.front();
+    EXPECT_EQ(cell.status, CellStatus::ok);
+    EXPECT_TRUE(cell.error && cell.error->reference);
+    EXPECT_THAT(cell.warnings, Contains(HasSubstr("no FLIP map")));
+}
+
+TEST(GroupRunner, PixelsThatALayoutLosesAreCounted) {
+    // Far depths of a wide range round to the clear value in 16 bits: those pixels become background.
+    const auto file = std::filesystem::path(testing::TempDir()) / "d16.json";
+    std::string text = read_file(resource("shaders/gbuffer/layouts/lecture.json"));
+    text.replace(text.find("D24"), 3, "D16");
+    write_file_atomically(file, text);
+    const auto scene = std::filesystem::path(testing::TempDir()) / "far.json";
+    write_file_atomically(scene, R"({
+        "summary": "a wall in the distance",
+        "materials": {"wall": {"model": "lambert"}},
+        "shapes": {"wall": {"quad": {"size": [4000, 4000]}}},
+        "instances": [{"shape": "wall", "material": "wall", "translate": [0, 0, -900]}],
+        "camera": {"eye": [0, 0, 0], "target": [0, 0, -1], "near": 0.01, "far": 1000},
+        "lights": {"default_count": 0}, "ambient": [1, 1, 1]})");
+    const auto result =
+        run_group(group_of(scene.string(), 0, {{"deferred", file.string()}, {"deferred", "lecture"}}), 2);
+    EXPECT_EQ(result.cells[0].error->lost_px, 128 * 72);
+    EXPECT_EQ(result.cells[1].error->lost_px, 0);
 }
 
 TEST(GroupRunner, ASecondRunComputesNoReference) {
