@@ -15,6 +15,7 @@ import jsonschema
 
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "results" / "report.schema.json"
 MAX_FAULTS_SHOWN = 20
+FRONT_STATES = ("front", "perhaps", "dominated")
 
 
 def strict_json(text):
@@ -65,19 +66,27 @@ def sample_faults(cell, where):
             yield f"{where}/statistics/{key}", "count, min or max is not that of the samples"
 
 
+def lost_faults(cell, where):
+    params = cell["params"]
+    if cell["error"] and not cell["error"]["lost_px"] <= params["width_px"] * params["height_px"]:
+        yield f"{where}/error/lost_px", "is more than the picture has pixels"
+
+
 def display_error(cell, metric):
     """Against the reference; None where there is none."""
     error = cell["error"] and cell["error"]["reference"]
     return error and error["display"][metric]
 
 
-def front_faults(pareto, error_of, where):
+def front_faults(pareto, error_of, floor_known, where):
     points = {point["id"]: (point["time_ns"], point["error"]) for point in pareto["points"]}
-    members = pareto["front"] + pareto["dominated"]
+    members = [member for state in FRONT_STATES for member in pareto[state]]
     if sorted(members) != sorted(point["id"] for point in pareto["points"]) or len(points) != len(members):
-        yield where, "front and dominated together are not the points, each once"
+        yield where, "front, perhaps and dominated together are not the points, each once"
         return
     for index, point in enumerate(pareto["points"]):
+        if point["id"] not in pareto[point["state"]]:
+            yield f"{where}/points/{index}/state", f"is {point['state']}, but the cell is not in that list"
         if point["error"] != error_of[point["id"]]:
             yield f"{where}/points/{index}/error", f"is {point['error']}, but the cell's is {error_of[point['id']]}"
         # The error's interval is around the mean of the picture's regions, which need not be equally large.
@@ -89,10 +98,12 @@ def front_faults(pareto, error_of, where):
     def beaten(point):
         return any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points.values())
 
-    for kind, is_front in (("front", True), ("dominated", False)):
-        for index, member in enumerate(pareto[kind]):
-            if beaten(points[member]) == is_front:
-                yield f"{where}/{kind}/{index}", f"is {'beaten in both' if is_front else 'beaten by none'}"
+    for state in FRONT_STATES:
+        for index, member in enumerate(pareto[state]):
+            if beaten(points[member]) == (state == "front"):
+                yield f"{where}/{state}/{index}", f"is {'beaten in both' if state == 'front' else 'beaten by none'}"
+    if pareto["dominated"] and not floor_known:
+        yield f"{where}/dominated", "nobody is surely beaten where no noise floor was measured"
     times = [points[member][0] for member in pareto["front"]]
     if times != sorted(times):
         yield f"{where}/front", "is not in the order of time"
@@ -118,6 +129,7 @@ def invariant_faults(report):
             yield "/cells", f"the id {cell_id} stands {count} times"
     for index, cell in enumerate(cells):
         yield from sample_faults(cell, f"/cells/{index}")
+        yield from lost_faults(cell, f"/cells/{index}")
 
     group_of = {cell["id"]: cell["group"] for cell in cells}
     for index, pair in enumerate(report["pairs"]):
@@ -135,7 +147,7 @@ def invariant_faults(report):
         if any(group_of.get(point["id"]) != pareto["group"] for point in pareto["points"]):
             yield f"/pareto/{index}", "a cell is not of the group"
         else:
-            yield from front_faults(pareto, error_of, f"/pareto/{index}")
+            yield from front_faults(pareto, error_of, report["noise"]["floor"] is not None, f"/pareto/{index}")
     for index, answer in enumerate(report["answers"]):
         yield from answer_faults(answer, group_of, f"/answers/{index}")
 

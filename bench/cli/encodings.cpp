@@ -27,13 +27,26 @@ constexpr const char* kTiming =
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+// "encode" -> encode_ns_per_px, encode_low_ns_per_px, encode_high_ns_per_px.
+void add_time(Json& json, const std::string& what, const Interval& ns_per_px) {
+    json[what + "_ns_per_px"] = ns_per_px.estimate;
+    json[what + "_low_ns_per_px"] = ns_per_px.low ? Json(*ns_per_px.low) : Json();
+    json[what + "_high_ns_per_px"] = ns_per_px.high ? Json(*ns_per_px.high) : Json();
+}
+
+// Two significant digits, never as 1.2e+02.
+std::string time_text(const Interval& ns_per_px) {
+    return fmt::format("{}", std::stod(fmt::format("{:.1e}", ns_per_px.estimate)));
+}
+
 Json to_json(const EncodingResult& r) {
-    Json json = {{"field", r.field}, {"name", r.name}, {"bits", r.bits}, {"samples", r.samples}, {"domain", r.domain}};
+    Json json = {
+        {"field", r.field}, {"name", r.name}, {"bits", r.bits}, {"samples", r.error.compared}, {"domain", r.domain}};
     json["mean_" + r.unit] = finite_or_null(r.error.mean);
     json["p99_" + r.unit] = finite_or_null(r.error.p99);
     json["max_" + r.unit] = finite_or_null(r.error.max);
-    json["encode_ns_per_px"] = finite_or_null(r.encode_ns_per_px);
-    json["decode_ns_per_px"] = finite_or_null(r.decode_ns_per_px);
+    add_time(json, "encode", r.encode_ns_per_px);
+    add_time(json, "decode", r.decode_ns_per_px);
     return json;
 }
 
@@ -41,13 +54,14 @@ void print_tables(const std::vector<EncodingResult>& results) {
     for (size_t first = 0; first < results.size();) {
         const std::string& field = results[first].field;
         fmt::print("{}: error {}\n", field, kUnits.at(results[first].unit));
-        Table table({"name", "bits", "mean", "p99", "max", "encode ns/px", "decode ns/px", "values"});
+        Table table({"name", "bits", "mean", "p99", "max", "encode ns/px", "decode ns/px", "samples", "values"});
         size_t next = first;
         for (; next < results.size() && results[next].field == field; ++next) {
             const auto& r = results[next];
             table.add({r.name, std::to_string(r.bits), fmt::format("{:.4g}", r.error.mean),
                        fmt::format("{:.4g}", r.error.p99), fmt::format("{:.4g}", r.error.max),
-                       fmt::format("{:.1f}", r.encode_ns_per_px), fmt::format("{:.1f}", r.decode_ns_per_px), r.domain});
+                       time_text(r.encode_ns_per_px), time_text(r.decode_ns_per_px), std::to_string(r.error.compared),
+                       r.domain});
         }
         fmt::print("{}\n", table.text());
         first = next;
@@ -83,8 +97,8 @@ Command add_encodings(CLI::App& app) {
         context->throw_on_debug_errors("encodings");
         if (!options->json) {
             print_tables(results);
-            fmt::print("{} values each, the same for every encoding of a field and domain; on {}\ntime: {}\n",
-                       kSampleColumns * kSampleRows, context->info().renderer, kTiming);
+            fmt::print("values are the same for every encoding of a field and domain; on {}\ntime: {}\n",
+                       context->info().renderer, kTiming);
             return kDone;
         }
         Json json = {{"gl_renderer", context->info().renderer}, {"timing", kTiming}, {"rounds", kRounds}};

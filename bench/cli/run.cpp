@@ -10,6 +10,7 @@
 #include "bench/plan/plan.h"
 #include "bench/report/assemble.h"
 #include "bench/report/journal.h"
+#include "bench/report/time_error.h"
 #include "renderer/base/error.h"
 #include "renderer/base/file.h"
 #include "renderer/base/names.h"
@@ -63,13 +64,14 @@ double parse_time_ns(const std::string& text) {
                           "a time such as 8ms, 500us or 0.02s");
 }
 
-// "flip=0.01". Only metrics whose smaller values are better can be bounded from above.
+// "flip=0.01"
 ErrorLimit parse_error_limit(const std::string& text) {
-    static const std::vector<std::string> kMetrics{"flip", "flip_mean", "rmse", "mrse", "max_abs"};
+    std::vector<std::string> words = kBoundableMetrics;
+    words.insert(words.begin(), "flip");
     const size_t sign = text.find('=');
     const std::string metric = text.substr(0, sign);
-    if (std::ranges::find(kMetrics, metric) == kMetrics.end()) {
-        throw InputError("--max-error " + text, unknown_name("metric", metric, kMetrics));
+    if (std::ranges::find(words, metric) == words.end()) {
+        throw InputError("--max-error " + text, unknown_name("metric", metric, words));
     }
     const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
     double limit = 0.0;
@@ -77,7 +79,7 @@ ErrorLimit parse_error_limit(const std::string& text) {
     if (failure != std::errc() || rest != number.data() + number.size() || !std::isfinite(limit) || limit < 0.0) {
         throw InputError("--max-error " + text, "METRIC=VALUE with a number from 0 was expected, such as flip=0.01");
     }
-    return {.metric = metric == "flip" ? "flip_mean" : metric, .limit = limit};
+    return {.metric = metric == "flip" ? kErrorMetric : metric, .limit = limit};
 }
 
 // Everything a user may have got wrong, found before a context is made or a file is written.
@@ -244,7 +246,10 @@ int run_sweep(const RunOptions& options, const std::vector<std::string>& argumen
     write_file_atomically(report_file, report_text(report) + "\n");
     fmt::print("{}\nreport: {}\n{}", summary_text(report), report_file.string(), answers_text(report));
     if (interrupted) {
-        fmt::print(stderr, "interrupted; the same command with --resume and --out {} goes on\n", folder.string());
+        fmt::print(stderr,
+                   "interrupted; `lightsweep run {} --resume --out {}` goes on, with --axis, --filter, --shard and "
+                   "--seed as they were\n",
+                   options.sweep, folder.string());
         return kInterrupted;
     }
     const auto& cells = report.at("cells");

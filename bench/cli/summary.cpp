@@ -11,17 +11,12 @@
 namespace lightsweep {
 namespace {
 
-std::string unit_of(const std::string& time) { return time.substr(time.find(' ')); }
-
-// Without the unit where both ends share it with the median, which stands beside: `4.18 - 4.25`.
+// In the unit of the median, which stands beside: `4.18 - 4.25`.
 std::string interval_text(const Json& statistics) {
     if (statistics.at("low").is_null() && statistics.at("high").is_null()) return "-";
-    const std::string unit = unit_of(time_text(statistics.at("median").get<double>()));
+    const TimeUnit unit = time_unit(statistics.at("median").get<double>());
     const auto end = [&](const char* key) {
-        if (statistics.at(key).is_null()) return std::string("?");
-        std::string text = time_text(statistics.at(key).get<double>());
-        if (unit_of(text) == unit) text.resize(text.size() - unit.size());
-        return text;
+        return statistics.at(key).is_null() ? std::string("?") : time_number(statistics.at(key).get<double>(), unit);
     };
     return fmt::format("{} - {}", end("low"), end("high"));
 }
@@ -34,6 +29,11 @@ std::string arm_text(const Json& arm) {
     std::string text = arm.at("path").get<std::string>();
     if (!arm.at("layout").is_null()) text += "/" + arm.at("layout").get<std::string>();
     return text + "/" + arm.at("hdr").get<std::string>();
+}
+
+int64_t lost_px(const Json& cell) {
+    const Json& error = cell.at("error");
+    return error.is_null() ? 0 : error.at("lost_px").get<int64_t>();
 }
 
 // Flip, RMSE, normal, packing: what the note below the table says.
@@ -50,6 +50,7 @@ std::vector<std::string> error_columns(const Json& error) {
 // What all cells share is said once, above the table, which then fits a terminal.
 std::string cell_table(const Json& report) {
     const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "hdr"};
+    const bool any_lost = std::ranges::any_of(report.at("cells"), [](const Json& cell) { return lost_px(cell) > 0; });
     std::vector<std::vector<std::string>> rows;
     for (const auto& cell : report.at("cells")) {
         if (cell.at("status") != "ok") continue;
@@ -64,11 +65,14 @@ std::string cell_table(const Json& report) {
                                      time_text(wall.at("median").get<double>()),
                                      interval_text(wall)};
         std::ranges::move(error_columns(cell.at("error")), std::back_inserter(row));
+        if (any_lost) row.push_back(std::to_string(lost_px(cell)));
         row.push_back(cell.at("work").at("target_bytes_per_px").dump());
         rows.push_back(std::move(row));
     }
-    std::vector<std::string> header{"scene", "lights", "size", "path",   "layout",  "hdr", "time",
-                                    "95 %",  "FLIP",   "RMSE", "normal", "packing", "B/px"};
+    std::vector<std::string> header{"scene", "lights", "size", "path", "layout", "hdr",
+                                    "time",  "95 %",   "FLIP", "RMSE", "normal", "packing"};
+    if (any_lost) header.emplace_back("lost");
+    header.emplace_back("B/px");
     std::string shared;
     for (size_t column = names.size(); column-- > 0 && rows.size() > 1;) {
         const std::string& value = rows.front()[column];
@@ -82,7 +86,9 @@ std::string cell_table(const Json& report) {
     return (shared.empty() ? "" : "all cells: " + shared + "\n") + table.text() +
            "time: median frame with its interval; errors of the display picture against the reference: mean FLIP, "
            "RMSE;\n"
-           "normal: mean angle of the decoded normals in degrees; packing: its share of the squared error\n";
+           "normal: mean angle of the decoded normals in degrees; packing: its share of the squared error\n" +
+           (any_lost ? "lost: pixels that only one of layout and reference takes for covered, or that hold no number\n"
+                     : "");
 }
 
 std::string crossover_text(const Json& report) {

@@ -42,12 +42,21 @@ std::string Table::text() const {
     return out;
 }
 
+TimeUnit time_unit(double ns) {
+    if (ns < 1e3) return {"ns", 1.0};
+    if (ns < 1e6) return {"us", 1e3};
+    if (ns < 1e9) return {"ms", 1e6};
+    return {"s", 1e9};
+}
+
+std::string time_number(double ns, const TimeUnit& unit) {
+    const double v = ns / unit.ns;
+    return fmt::format("{:.{}f}", v, unit.ns == 1.0 ? 0 : v < 9.995 ? 2 : v < 99.95 ? 1 : 0);
+}
+
 std::string time_text(double ns) {
-    const auto three_digits = [](double v) { return fmt::format("{:.{}f}", v, v < 9.995 ? 2 : v < 99.95 ? 1 : 0); };
-    if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
-    if (ns < 1e6) return three_digits(ns / 1e3) + " us";
-    if (ns < 1e9) return three_digits(ns / 1e6) + " ms";
-    return three_digits(ns / 1e9) + " s";
+    const TimeUnit unit = time_unit(ns);
+    return fmt::format("{} {}", time_number(ns, unit), unit.name);
 }
 
 }  // namespace lightsweep

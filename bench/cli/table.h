@@ -18,7 +18,16 @@ class Table {
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// `12.3 ms`, `850 us`, `2.41 s`: three significant digits.
+struct TimeUnit {
+    const char* name = "ns";
+    double ns = 1.0;
+};
+
+/// The largest in which the time is 1 or more: ns, us, ms, s.
+TimeUnit time_unit(double ns);
+/// `12.3`, `850`: in that unit, with three significant digits; below 1 with two decimals, from 1000 on in full.
+std::string time_number(double ns, const TimeUnit& unit);
+/// `12.3 ms`, `850 us`, `2.41 s`
 std::string time_text(double ns);
 
 }  // namespace lightsweep

@@ -4,7 +4,9 @@
 #include "renderer/base/check.h"
 #include "renderer/base/error.h"
 #include "renderer/base/names.h"
+#include "renderer/frame/frame.h"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -82,6 +84,37 @@ const FieldKind kKinds[] = {
     {"model", "abs", "0, 1, 2", 1, sample_model, of_value},
 };
 
+bool in_patches(const Variant& variant) { return !variant.is_depth() && variant.stored().encoding.needs.neighbours; }
+
+std::vector<glm::vec4> make_patches(const FieldKind& kind, Random& random, int width, int height) {
+    std::vector<glm::vec4> pixels(static_cast<size_t>(width) * static_cast<size_t>(height));
+    for (int bottom = 0; bottom < height; bottom += kPatch) {
+        for (int left = 0; left < width; left += kPatch) {
+            glm::vec4 corners[4];
+            for (auto& corner : corners) corner = kind.sample(random);
+            for (int y = 0; y < kPatch; ++y) {
+                for (int x = 0; x < kPatch; ++x) {
+                    const glm::vec2 at = (glm::vec2(x, y) + 0.5F) / static_cast<float>(kPatch);
+                    pixels[static_cast<size_t>(bottom + y) * static_cast<size_t>(width) +
+                           static_cast<size_t>(left + x)] =
+                        glm::mix(glm::mix(corners[0], corners[1], at.x), glm::mix(corners[2], corners[3], at.x), at.y);
+                }
+            }
+        }
+    }
+    return pixels;
+}
+
+// Turns round what looks away from the eye as its own pixel sees it.
+void turn_to_eye(const shared::FrameData& frame, int width, std::vector<glm::vec4>& values) {
+    for (size_t i = 0; i < values.size(); ++i) {
+        const glm::vec2 pixel(i % static_cast<size_t>(width), i / static_cast<size_t>(width));
+        const glm::vec2 ndc = (pixel + 0.5F) * glm::vec2(frame.pixel_to_ndc_x, frame.pixel_to_ndc_y) - 1.0F;
+        const glm::vec3 ray = ndc.x * frame.ray_right + ndc.y * frame.ray_up + frame.ray_forward;
+        if (glm::dot(glm::vec3(values[i]), ray) > 0.0F) values[i] = -values[i];
+    }
+}
+
 }  // namespace
 
 const FieldKind& field_kind(const std::string& field) {
@@ -102,35 +135,27 @@ Camera probe_camera(const Variant& variant) {
     return camera;
 }
 
+shared::FrameData probe_constants(const Variant& variant, int width, int height) {
+    shared::FrameData data{};
+    set_camera_constants({probe_camera(variant), width, height, variant.layout.convention}, data);
+    return data;
+}
+
 std::string sample_domain(const Variant& variant) {
     if (variant.hemisphere()) return "hemisphere";
     const std::string domain(field_kind(variant.field).domain);
-    const bool blocks = !variant.is_depth() && variant.stored().encoding.needs.neighbours;
-    return blocks ? domain + ", squares of 16 px" : domain;
+    return in_patches(variant) ? fmt::format("{}, blends in patches of {} px", domain, kPatch) : domain;
 }
 
 std::vector<glm::vec4> make_samples(const Variant& variant, int width, int height) {
-    CHECK_THAT(width % kBlock == 0 && height % kBlock == 0, "{}x{}", width, height);
+    CHECK_THAT(width % kPatch == 0 && height % kPatch == 0, "{}x{}", width, height);
     const FieldKind& kind = field_kind(variant.field);
-    const int block = !variant.is_depth() && variant.stored().encoding.needs.neighbours ? kBlock : 1;
-    const auto columns = static_cast<size_t>(width / block);
-    std::vector<glm::vec4> values(columns * static_cast<size_t>(height / block));
     Random random(kSeed);
+    if (in_patches(variant)) return make_patches(kind, random, width, height);
+    std::vector<glm::vec4> values(static_cast<size_t>(width) * static_cast<size_t>(height));
     std::generate(values.begin(), values.end(), [&] { return kind.sample(random); });
-    if (variant.hemisphere()) {
-        const Camera camera = probe_camera(variant);
-        const glm::vec3 forward(camera.target - camera.eye);
-        for (auto& v : values) v = glm::dot(glm::vec3(v), forward) > 0.0F ? -v : v;
-    }
-    if (block == 1) return values;
-    std::vector<glm::vec4> pixels;
-    pixels.reserve(static_cast<size_t>(width) * static_cast<size_t>(height));
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            pixels.push_back(values[static_cast<size_t>(y / block) * columns + static_cast<size_t>(x / block)]);
-        }
-    }
-    return pixels;
+    if (variant.hemisphere()) turn_to_eye(probe_constants(variant, width, height), width, values);
+    return values;
 }
 
 ErrorSummary summarize_errors(const FieldKind& kind, std::span<const glm::vec4> sent, std::span<const glm::vec4> back) {
@@ -143,11 +168,16 @@ ErrorSummary summarize_errors(const FieldKind& kind, std::span<const glm::vec4> 
             std::copy_n(error.begin(), per_value, errors.begin() + static_cast<std::ptrdiff_t>(i * per_value));
         }
     });
-    if (!std::all_of(errors.begin(), errors.end(), [](double e) { return std::isfinite(e); })) {
-        constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-        return {kNothing, kNothing, kNothing};
+    size_t compared = 0;
+    for (auto first = errors.begin(); first != errors.end(); first += static_cast<std::ptrdiff_t>(per_value)) {
+        compared += std::all_of(first, first + kind.errors, [](double e) { return std::isfinite(e); }) ? 1 : 0;
     }
-    return {.mean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()),
+    if (compared < sent.size()) {
+        constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+        return {compared, kNothing, kNothing, kNothing};
+    }
+    return {.compared = compared,
+            .mean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()),
             .p99 = quantile(errors, 0.99),
             .max = *std::max_element(errors.begin(), errors.end())};
 }

@@ -4,6 +4,7 @@
 #include "bench/encodings/variant.h"
 #include "renderer/base/random.h"
 #include "renderer/scene/scene.h"
+#include "shaders/shared/types.h"
 
 #include <glm/glm.hpp>
 
@@ -31,19 +32,23 @@ const FieldKind& field_kind(const std::string& field);
 
 /// How far the camera of the depth's samples sees; they, and the positions, are log-uniform in between.
 inline constexpr double kNearDistance = 0.1, kFarDistance = 1000.0;
-/// Encodings that look at their neighbours get squares of one colour: independent pixels are no picture.
-inline constexpr int kBlock = 16;
+/// Encodings that look at their neighbours get patches, each a bilinear blend of four random colours: independent
+/// pixels are no picture. Every pixel has a colour of its own, smooth within a patch and with a hard edge between two.
+inline constexpr int kPatch = 64;
 
 /// What the encodings in view space see: an oblique camera at the origin. Depth is probed by one that looks along -z,
 /// so that w is the distance, without rounding.
 Camera probe_camera(const Variant& variant);
+/// Its frame of width x height pixels.
+shared::FrameData probe_constants(const Variant& variant, int width, int height);
 
 /// In words: "sphere", "hemisphere", ...
 std::string sample_domain(const Variant& variant);
-/// One for each pixel, row by row. Always the same ones. `width` and `height` are multiples of kBlock.
+/// One for each pixel, row by row from the bottom. Always the same ones. `width` and `height` are multiples of kPatch.
 std::vector<glm::vec4> make_samples(const Variant& variant, int width, int height);
 
 struct ErrorSummary {
+    size_t compared = 0;                      ///< values whose errors are finite
     double mean = 0.0, p99 = 0.0, max = 0.0;  ///< not finite when any value came back so
 };
 /// On all cores.

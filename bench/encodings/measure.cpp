@@ -1,7 +1,6 @@
 #include "bench/encodings/measure.h"
 
 #include "bench/encodings/round_trip.h"
-#include "bench/stats/quantile.h"
 #include "bench/stats/schedule.h"
 #include "renderer/base/check.h"
 
@@ -53,8 +52,9 @@ class FieldRun {
                 .domain = sample_domain(variant),
                 .unit = std::string(kind.unit),
                 .bits = variant.bits(),
-                .samples = kPixels,
-                .error = summarize_errors(kind, input.values, read_pixels(output_))};
+                .error = summarize_errors(kind, input.values, read_pixels(output_)),
+                .encode_ns_per_px = {},
+                .decode_ns_per_px = {}};
     }
 
     void time(std::vector<EncodingResult>& results, int rounds) const {
@@ -67,8 +67,8 @@ class FieldRun {
             }
         }
         for (size_t i = 0; i < trips_.size(); ++i) {
-            results[i].encode_ns_per_px = median(encode[i]);
-            results[i].decode_ns_per_px = median(decode[i]);
+            results[i].encode_ns_per_px = median_interval(encode[i]);
+            results[i].decode_ns_per_px = median_interval(decode[i]);
         }
     }
 

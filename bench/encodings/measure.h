@@ -1,11 +1,13 @@
 // Error and time of each variant. What a time is: one whole pass over the target by the steady clock with glFinish
 // before and after, that is fetch + encode + store or fetch + decode + store, divided by the pixels. The passes of a
-// field's variants are interleaved in rounds, and the median round counts. Differences between variants are the
-// encodings'. Depth has no encoder of its own: its time to encode is that of drawing a point in each pixel.
+// field's variants are interleaved in rounds, and the median round counts. Variants differ in their encodings and in
+// their formats, which the target's bandwidth and conversion are part of: only those of one format differ by the
+// encoding alone. Depth has no encoder of its own: its time to encode is that of drawing a point in each pixel.
 #pragma once
 
 #include "bench/encodings/field_kind.h"
 #include "bench/encodings/variant.h"
+#include "bench/stats/quantile.h"
 
 #include <string>
 #include <vector>
@@ -19,9 +21,8 @@ struct EncodingResult {
     std::string field, name, domain;
     std::string unit;  ///< of the error: "deg", "rel" or "abs"
     int bits = 0;
-    size_t samples = 0;
     ErrorSummary error;
-    double encode_ns_per_px = 0.0, decode_ns_per_px = 0.0;
+    Interval encode_ns_per_px, decode_ns_per_px;  ///< the median over the rounds, at 95 %
 };
 
 /// In the order of `variants`; needs a current context. `rounds` of timing, at least 1.

@@ -14,12 +14,10 @@ namespace {
 constexpr unsigned kSamplesUnit = 0;  // shaders/encodings/samples.glsl
 
 shared::FrameData frame_constants(const Variant& variant, int width, int height) {
-    const FrameSetup setup{probe_camera(variant), width, height, variant.layout.convention};
-    shared::FrameData data{};
-    set_camera_constants(setup, data);
+    shared::FrameData data = probe_constants(variant, width, height);
     if (variant.clip == gl::ClipDepth::minus_one_to_one) {
         // z / w in [-1, 1] that the viewport makes the same depth: 2 z - w for z.
-        glm::dmat4 projection = camera_projection(setup.camera, width, height, setup.convention);
+        glm::dmat4 projection = camera_projection(probe_camera(variant), width, height, variant.layout.convention);
         for (int column = 0; column < 4; ++column) {
             projection[column][2] = 2.0 * projection[column][2] - projection[column][3];
         }

@@ -11,7 +11,6 @@
 namespace lightsweep {
 namespace {
 
-const std::vector<std::string> kConventions = {"standard", "reversed"};
 const std::vector<std::string> kClips = {"zero_to_one", "minus_one_to_one"};
 
 Variant read_depth(const JsonReader& json) {
@@ -19,7 +18,8 @@ Variant read_depth(const JsonReader& json) {
     Variant variant;
     variant.layout.depth = static_cast<gl::Format>(json.at("format").choice("format", gl::format_names()));
     if (gl::info(variant.layout.depth).kind != gl::FormatKind::depth) json.at("format").fail("not a depth format");
-    variant.layout.convention = static_cast<DepthConvention>(json.at("convention").choice("convention", kConventions));
+    variant.layout.convention =
+        static_cast<DepthConvention>(json.at("convention").choice("convention", depth_convention_names()));
     variant.clip = static_cast<gl::ClipDepth>(json.at("clip").choice("clip", kClips));
     return variant;
 }

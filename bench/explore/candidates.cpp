@@ -14,18 +14,11 @@ namespace lightsweep {
 namespace {
 
 constexpr int kWordBits = 32;
-const std::vector<std::string> kConventions = {"standard", "reversed"};  // by value of DepthConvention
 
 FieldOption read_option(const JsonReader& json, Field field) {
     json.allow_keys({"encoding", "bits"});
     const auto encoding_json = json.at("encoding");
-    encoding_json.choice("encoding", encoding_keys());
-    FieldOption option{.field = field, .encoding = load_encoding(encoding_json.string()), .bits = {}};
-    const auto& carries = option.encoding.fields;
-    if (std::find(carries.begin(), carries.end(), info(field).name) == carries.end()) {
-        encoding_json.fail(
-            fmt::format("encoding '{}' cannot carry the field '{}'", option.encoding.key, info(field).name));
-    }
+    FieldOption option{.field = field, .encoding = read_encoding(encoding_json, field), .bits = {}};
     const auto& channels = option.encoding.channels;
     for (const auto& bits : json.at("bits").elements()) option.bits.push_back(static_cast<int>(bits.integer(1, 32)));
     if (option.bits.size() != channels.size()) {
@@ -49,7 +42,8 @@ DepthOption read_depth(const JsonReader& json) {
     DepthOption depth;
     depth.format = static_cast<gl::Format>(json.at("format").choice("format", gl::format_names()));
     if (gl::info(depth.format).kind != gl::FormatKind::depth) json.at("format").fail("not a depth format");
-    depth.convention = static_cast<DepthConvention>(json.at("convention").choice("convention", kConventions));
+    depth.convention =
+        static_cast<DepthConvention>(json.at("convention").choice("convention", depth_convention_names()));
     return depth;
 }
 
@@ -89,7 +83,8 @@ std::string FieldOption::name() const {
 }
 
 std::string DepthOption::name() const {
-    std::string text = fmt::format("depth={}_{}", gl::info(format).name, kConventions[static_cast<size_t>(convention)]);
+    std::string text =
+        fmt::format("depth={}_{}", gl::info(format).name, depth_convention_names()[static_cast<size_t>(convention)]);
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
 }

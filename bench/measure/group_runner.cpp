@@ -200,7 +200,7 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
     }
     if (!rules.maps_folder.empty()) {
         try {
-            write_image(flip_picture(map), rules.maps_folder / (cell.id + ".png"));
+            write_flip_map(map, rules.maps_folder / (cell.id + ".png"));
         } catch (const InputError& failure) {  // a full disk must not cost what is measured
             cell.warnings.push_back(std::string("no FLIP map: ") + failure.what());
         }

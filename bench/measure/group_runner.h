@@ -23,7 +23,8 @@ struct SamplingRules {
     double target_ci = 0.02;  ///< stop when every arm's median is known to this half width (fraction)
     int min_rounds = 6;       ///< below this a median has no interval
     int max_rounds = 400;
-    std::filesystem::path maps_folder{};  ///< where each cell's FLIP map goes, as <id>.png; empty: nowhere
+    std::filesystem::path
+        maps_folder{};  ///< where each cell's FLIP map goes, as <id>.png (16-bit grey); empty: nowhere
 };
 
 /// What a progress bar shows: [0, 1] of this group.

@@ -6,6 +6,7 @@
 
 #include "bench/metrics/image_pair.h"
 
+#include <filesystem>
 #include <vector>
 
 namespace lightsweep {
@@ -36,6 +37,10 @@ FlipMap hdr_flip(const Image& reference_linear, const Image& test_linear, double
 
 /// HDR- or LDR-FLIP, as the pair asks.
 FlipMap flip(const ImagePair& pair, double pixels_per_degree = kPixelsPerDegree);
+
+/// The map as numbers for other programs: a 16-bit grey PNG of 65535 times the error, rounded; 0 where it is NaN.
+/// Throws InputError.
+void write_flip_map(const FlipMap& map, const std::filesystem::path& file);
 
 /// A display image of the map in magma's colours, 0 black to 1 white; pixels that are not finite are green.
 Image flip_picture(const FlipMap& map);

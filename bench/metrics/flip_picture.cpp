@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace lightsweep {
 namespace {
@@ -31,6 +32,15 @@ std::array<float, 3> magma(double t) {
 }
 
 }  // namespace
+
+void write_flip_map(const FlipMap& map, const std::filesystem::path& file) {
+    std::vector<uint16_t> grey(map.error.size());
+    std::ranges::transform(map.error, grey.begin(), [](float error) {
+        const float clamped = error > 0.0F ? std::min(error, 1.0F) : 0.0F;  // NaN compares false
+        return static_cast<uint16_t>(std::lround(65535.0F * clamped));
+    });
+    write_grey16_png(map.width, map.height, grey, file);
+}
 
 Image flip_picture(const FlipMap& map) {
     Image picture(map.width, map.height, ColorSpace::display);

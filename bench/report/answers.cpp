@@ -36,17 +36,6 @@ std::string point_words(const TimeErrorPoint& point, std::string_view metric) {
 double time_of(const TimeErrorPoint& point) { return point.time_ns.estimate; }
 double error_of(const TimeErrorPoint& point) { return point.error.estimate; }
 
-Interval ratio_of_intervals(const Interval& a, const Interval& b) {
-    Interval ratio{.estimate = a.estimate / b.estimate, .low = {}, .high = {}};
-    if (a.low && b.high && *b.high > 0.0) ratio.low = *a.low / *b.high;
-    if (a.high && b.low && *b.low > 0.0) ratio.high = *a.high / *b.low;
-    return ratio;
-}
-
-std::optional<PairedRatio> time_ratio(const CellResult& a, const CellResult& b, double level) {
-    return ratio_by_round(a.samples.round, a.samples.wall_ns, b.samples.round, b.samples.wall_ns, level);
-}
-
 // Compares the first two of `within`, which are in the order of their medians, and sets them right.
 void compare_times(Answer& answer, Points& within) {
     auto ratio = time_ratio(*within[0].cell, *within[1].cell, kIntervalLevel);
@@ -64,13 +53,10 @@ void compare_times(Answer& answer, Points& within) {
     answer.verdict = word(judged);
 }
 
+// The errors of one picture are exact: no interval stands between them. `first` has none larger than `second`.
 void compare_errors(Answer& answer, const TimeErrorPoint& first, const TimeErrorPoint& second) {
-    if (error_of(second) > 0.0) answer.ratio = ratio_of_intervals(first.error, second.error);
-    if (error_of(first) == error_of(second)) {
-        answer.verdict = "same";
-    } else {
-        answer.verdict = answer.ratio->high && *answer.ratio->high < 1.0 ? "more_exact" : "ambiguous";
-    }
+    if (error_of(second) > 0.0) answer.ratio = {.estimate = error_of(first) / error_of(second), .low = {}, .high = {}};
+    answer.verdict = error_of(first) < error_of(second) ? "more_exact" : "same";
 }
 
 // `; 0.871 [0.85, 0.89] times the time of the runner-up, ...: faster`
@@ -159,7 +145,8 @@ Answer most_exact_within(const GroupResult& group, double max_time_ns) {
     }
     std::ranges::stable_sort(within, {}, [](const auto& p) { return std::pair(error_of(p), time_of(p)); });
     answer.arm = within[0].cell;
-    answer.statement = fmt::format("the most exact within {} is {}", question, point_words(within[0], kErrorMetric));
+    answer.statement =
+        fmt::format("on this picture the most exact within {} is {}", question, point_words(within[0], kErrorMetric));
     if (within.size() > 1) {
         answer.runner_up = within[1].cell;
         compare_errors(answer, within[0], within[1]);

@@ -18,8 +18,8 @@ struct Answer {
     const CellResult* arm = nullptr;        ///< the winner; none: see reason
     const CellResult* runner_up = nullptr;  ///< who would win without it
     std::string ratio_of;                   ///< what `ratio` is of: wall_ns, or the error's key
-    std::optional<Interval> ratio;          ///< winner over runner-up; nothing without one, or of 0 over 0
-    /// Of the winner against the runner-up. Times: word(Verdict). Errors: `more_exact`, `same` (equal) or `ambiguous`.
+    std::optional<Interval> ratio;          ///< winner over runner-up, of errors without ends; nothing of 0 over 0
+    /// Of the winner against the runner-up. Times: word(Verdict). Errors: `more_exact` or `same` (equal).
     std::optional<std::string> verdict;
     std::optional<double> floor;               ///< the noise floor that times were judged by
     std::vector<const CellResult*> uncertain;  ///< that may be within max_time_ns, or not
@@ -34,8 +34,8 @@ Answer cheapest_within(const GroupResult& group, const ErrorLimit& limit, std::o
 
 /// Of the arms whose time's interval lies within the limit the one with the smallest kErrorMetric; of equal ones the
 /// fastest. An arm whose interval reaches over the limit is uncertain, and so is one within it by its median alone. The
-/// ratio's interval goes from the low end over the high end to the high end over the low end: it holds with 90 %
-/// however the two pictures' errors depend on each other, and with more where they rise and fall together.
+/// errors are exact numbers of this picture, and so is their ratio; the statement names each with its interval over the
+/// picture's regions, which says how much it hangs on what the picture shows.
 Answer most_exact_within(const GroupResult& group, double max_time_ns);
 
 /// What the run asked, of each group in turn. Nothing asked: none.

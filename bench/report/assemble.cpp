@@ -2,12 +2,12 @@
 
 #include "bench/report/answers.h"
 #include "bench/report/crossovers.h"
+#include "bench/report/front.h"
 #include "bench/report/json_codec.h"
 #include "bench/report/pairs.h"
 #include "bench/report/report_file.h"
 
 #include "bench/stats/autocorrelation.h"
-#include "bench/stats/pareto.h"
 #include "bench/stats/quantile.h"
 
 #include <algorithm>
@@ -131,33 +131,44 @@ Json references_json(const std::vector<GroupResult>& groups) {
     return references;
 }
 
-Json pareto_json(const std::vector<GroupResult>& groups) {
+// The cells on the front, the fastest first.
+Json front_json(const std::vector<TimeErrorPoint>& points, const std::vector<FrontState>& states) {
+    std::vector<TimeErrorPoint> front;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (states[i] == FrontState::front) front.push_back(points[i]);
+    }
+    std::ranges::stable_sort(front, {}, [](const auto& point) { return point.time_ns.estimate; });
+    Json ids = Json::array();
+    for (const auto& point : front) ids.push_back(point.cell->id);
+    return ids;
+}
+
+Json pareto_json(const std::vector<GroupResult>& groups, std::optional<double> run_floor) {
     Json result = Json::array();
     for (const auto& group : groups) {
-        std::vector<std::string> ids;
-        std::vector<TimeAndError> coordinates;
-        Json points = Json::array();
-        for (const auto& [cell, time_ns, error] : time_error_points(group, kErrorMetric)) {
-            ids.push_back(cell->id);
-            coordinates.push_back({.time = time_ns.estimate, .error = error.estimate});
-            points.push_back({{"id", cell->id},
-                              {"time_ns", encode(time_ns.estimate)},
-                              {"time_low_ns", encode(time_ns.low)},
-                              {"time_high_ns", encode(time_ns.high)},
-                              {"error", encode(error.estimate)},
-                              {"error_low", encode(error.low)},
-                              {"error_high", encode(error.high)}});
+        const auto points = time_error_points(group, kErrorMetric);
+        if (points.empty()) continue;
+        const auto states = front_states(points, floor_of(group, run_floor));
+        Json group_json{{"group", group.group},
+                        {"metric_time", "wall_ns"},
+                        {"metric_error", error_key(kErrorMetric)},
+                        {"front", front_json(points, states)},
+                        {"perhaps", Json::array()},
+                        {"dominated", Json::array()},
+                        {"points", Json::array()}};
+        for (size_t i = 0; i < points.size(); ++i) {
+            const auto& [cell, time_ns, error] = points[i];
+            if (states[i] != FrontState::front) group_json[std::string(word(states[i]))].push_back(cell->id);
+            group_json["points"].push_back({{"id", cell->id},
+                                            {"state", word(states[i])},
+                                            {"time_ns", encode(time_ns.estimate)},
+                                            {"time_low_ns", encode(time_ns.low)},
+                                            {"time_high_ns", encode(time_ns.high)},
+                                            {"error", encode(error.estimate)},
+                                            {"error_low", encode(error.low)},
+                                            {"error_high", encode(error.high)}});
         }
-        if (ids.empty()) continue;
-        std::vector<std::string> front;
-        for (const size_t index : pareto_front(coordinates)) front.push_back(ids[index]);
-        std::erase_if(ids, [&](const std::string& id) { return std::ranges::find(front, id) != front.end(); });
-        result.push_back({{"group", group.group},
-                          {"metric_time", "wall_ns"},
-                          {"metric_error", error_key(kErrorMetric)},
-                          {"front", front},
-                          {"dominated", ids},
-                          {"points", std::move(points)}});
+        result.push_back(std::move(group_json));
     }
     return result;
 }
@@ -212,7 +223,7 @@ Json assemble_report(const JournalContent& journal) {
             {"cells", cells_json(journal.groups)},
             {"pairs", pairs_json(journal.groups, floor)},
             {"crossovers", crossovers_json(journal.groups)},
-            {"pareto", pareto_json(journal.groups)},
+            {"pareto", pareto_json(journal.groups, floor)},
             {"answers", answers_json(journal, floor)},
             {"summary", std::move(summary)}};
 }

@@ -41,8 +41,7 @@ std::vector<ArmCrossover> find_crossovers(const std::vector<GroupResult>& groups
         for (const auto& arm : group.cells) {
             const CellResult* forward = forward_twin(group, arm);
             if (!arm.measured() || arm.params.path == kBaselinePath || !forward || !arm.params.lights) continue;
-            const auto ratio = ratio_by_round(arm.samples.round, arm.samples.wall_ns, forward->samples.round,
-                                              forward->samples.wall_ns, kIntervalLevel);
+            const auto ratio = time_ratio(arm, *forward, kIntervalLevel);
             if (!ratio) continue;
             const CellParams a = without_lights(arm.params);
             auto series = std::ranges::find(all, a, &Series::a);

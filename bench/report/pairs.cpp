@@ -49,6 +49,10 @@ std::optional<PairedRatio> ratio_by_round(const std::vector<int64_t>& round_a, c
     return ratio_of_pairs(a, b, level);
 }
 
+std::optional<PairedRatio> time_ratio(const CellResult& a, const CellResult& b, double level) {
+    return ratio_by_round(a.samples.round, a.samples.wall_ns, b.samples.round, b.samples.wall_ns, level);
+}
+
 std::optional<PairedRatio> noise_ratio(const GroupResult& group) {
     if (!group.noise) return {};
     const auto arm = std::ranges::find(group.cells, group.noise->arm, &CellResult::name);
@@ -83,13 +87,12 @@ std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double
     const auto pairs = arms_to_compare(group);
     std::vector<ArmPair> result;
     for (const auto& [a, b] : pairs) {
-        const auto ratio_at = [&, a = a, b = b](double level) {
-            return ratio_by_round(a->samples.round, a->samples.wall_ns, b->samples.round, b->samples.wall_ns, level);
-        };
-        const auto ratio = ratio_at(kIntervalLevel);
+        const auto ratio = time_ratio(*a, *b, kIntervalLevel);
         if (!ratio) continue;
         ArmPair pair{.a = a, .b = b, .ratio = *ratio, .verdict = Verdict::ambiguous, .floor = floor};
-        if (floor) pair.verdict = verdict(ratio_at(level_for_each(kIntervalLevel, pairs.size()))->ratio, *floor);
+        if (floor) {
+            pair.verdict = verdict(time_ratio(*a, *b, level_for_each(kIntervalLevel, pairs.size()))->ratio, *floor);
+        }
         result.push_back(pair);
     }
     return result;

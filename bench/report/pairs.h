@@ -22,6 +22,9 @@ std::optional<PairedRatio> ratio_by_round(const std::vector<int64_t>& round_a, c
                                           const std::vector<int64_t>& round_b, const std::vector<int64_t>& wall_ns_b,
                                           double level);
 
+/// The same of two measured cells of one group.
+std::optional<PairedRatio> time_ratio(const CellResult& a, const CellResult& b, double level);
+
 /// The noise of a group: the twin over its arm. Nothing without a twin, or when its arm was not measured.
 std::optional<PairedRatio> noise_ratio(const GroupResult& group);
 

@@ -7,7 +7,7 @@
 //
 // and defines `encode_<name>` (field type -> channels) and `decode_<name>` (channels -> field type). What a function
 // wants besides stands in `// needs:`, and `// domain: hemisphere` says that it carries only the normals that face the
-// viewer.
+// eye as the pixel sees it.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct Encoding {
     std::vector<std::string> fields;  ///< which it can carry
     std::vector<Channel> channels;    ///< 1 to 4; all `bits` or none
     EncodingNeeds needs;
-    bool hemisphere = false;  ///< a normal that looks away from the viewer (in view space) is clamped
+    bool hemisphere = false;  ///< a normal that looks away from the eye, as the pixel sees it, is clamped
     std::string glsl;         ///< the file's text
 
     /// float, vec2, vec3, vec4, or uint.

@@ -15,7 +15,6 @@ namespace {
 
 constexpr const char* kFolder = "shaders/gbuffer/layouts";
 constexpr int kMaxTargets = 7;  // every GL 4.5 device has 8 colour targets; forward and deferred leave one for output
-const std::vector<std::string> kConventions = {"standard", "reversed"};
 
 // "rgb" -> one whole component per letter; "r[0-15] r[16-31]" -> runs of bits, inclusive.
 std::vector<Slot> parse_slots(const JsonReader& json) {
@@ -108,16 +107,24 @@ LayoutTarget read_target(const JsonReader& json, std::map<Field, std::string>& w
 
 }  // namespace
 
+const std::vector<std::string>& depth_convention_names() {
+    static const std::vector<std::string> names = {"standard", "reversed"};
+    return names;
+}
+
+Encoding read_encoding(const JsonReader& json, Field field) {
+    json.choice("encoding", encoding_keys());
+    Encoding encoding = load_encoding(json.string());
+    const auto& carries = encoding.fields;
+    if (std::find(carries.begin(), carries.end(), info(field).name) == carries.end()) {
+        json.fail(fmt::format("encoding '{}' cannot carry the field '{}'", encoding.key, info(field).name));
+    }
+    return encoding;
+}
+
 StoredField read_stored_field(const JsonReader& json, gl::Format format) {
     const auto field = static_cast<Field>(json.at("field").choice("field", field_names()));
-    const auto encoding_json = json.at("encoding");
-    encoding_json.choice("encoding", encoding_keys());
-    StoredField stored{field, load_encoding(encoding_json.string()), parse_slots(json.at("in"))};
-    const auto& carries = stored.encoding.fields;
-    if (std::find(carries.begin(), carries.end(), info(field).name) == carries.end()) {
-        encoding_json.fail(
-            fmt::format("encoding '{}' cannot carry the field '{}'", stored.encoding.key, info(field).name));
-    }
+    StoredField stored{field, read_encoding(json.at("encoding"), field), parse_slots(json.at("in"))};
     check_slots(json.at("in"), format, stored);
     return stored;
 }
@@ -172,7 +179,8 @@ Layout load_layout(const std::string& key_or_path) {
             depth->at("format").fail("not a depth format; known: D16, D24, D32F");
         }
         if (const auto convention = depth->find("convention")) {
-            layout.convention = static_cast<DepthConvention>(convention->choice("convention", kConventions));
+            layout.convention =
+                static_cast<DepthConvention>(convention->choice("convention", depth_convention_names()));
         }
     }
     std::map<Field, std::string> where_stored;

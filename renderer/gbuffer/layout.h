@@ -60,6 +60,12 @@ struct Layout {
 Layout load_layout(const std::string& key_or_path);
 std::vector<std::string> layout_keys();
 
+/// The texts for a DepthConvention in files, by value.
+const std::vector<std::string>& depth_convention_names();
+
+/// The encoding that a JSON string names. Throws InputError for an unknown one, or one that cannot carry `field`.
+Encoding read_encoding(const JsonReader& json, Field field);
+
 /// One field of a target of the format `format`, from an object with the keys `field`, `encoding` and `in` (others are
 /// the caller's). Throws like load_layout.
 StoredField read_stored_field(const JsonReader& json, gl::Format format);

@@ -35,11 +35,10 @@ std::string layout_json(const Layout& layout) {
         targets.push_back(
             {{"name", target.name}, {"format", gl::info(target.format).name}, {"fields", std::move(fields)}});
     }
-    const bool reversed = layout.convention == DepthConvention::reversed;
-    const Json json = {
-        {"summary", layout.summary},
-        {"depth", {{"format", gl::info(layout.depth).name}, {"convention", reversed ? "reversed" : "standard"}}},
-        {"targets", std::move(targets)}};
+    const std::string& convention = depth_convention_names()[static_cast<size_t>(layout.convention)];
+    const Json json = {{"summary", layout.summary},
+                       {"depth", {{"format", gl::info(layout.depth).name}, {"convention", convention}}},
+                       {"targets", std::move(targets)}};
     return json.dump(2) + "\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include "renderer/image/image.h"
 
+#include <span>
 #include <string>
 
 namespace lightsweep {
@@ -16,6 +17,8 @@ Image decode_exr(const std::string& bytes, const std::string& name);
 
 /// 8-bit RGB. `image` must be in display space; values outside [0, 1] are clamped, NaN becomes 0.
 std::string encode_png(const Image& image, const std::string& name);
+/// 16-bit grey, said to be linear (gAMA 1). `grey`: width * height values.
+std::string encode_grey16_png(int width, int height, std::span<const uint16_t> grey, const std::string& name);
 /// 32-bit float RGB, ZIP-compressed. `image` must be in linear space; every value is kept, non-finite ones too.
 std::string encode_exr(const Image& image, const std::string& name);
 

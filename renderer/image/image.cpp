@@ -47,6 +47,12 @@ void write_image(const Image& image, const std::filesystem::path& file) {
                                                            : codec.encode(converted(image, codec.space), name));
 }
 
+void write_grey16_png(int width, int height, std::span<const uint16_t> grey, const std::filesystem::path& file) {
+    CHECK_THAT(width > 0 && height > 0 && grey.size() == static_cast<size_t>(width) * height, "{}x{} with {} values",
+               width, height, grey.size());
+    write_file_atomically(file, encode_grey16_png(width, height, grey, file.string()));
+}
+
 Image converted(const Image& image, ColorSpace space) {
     Image result = image;
     if (space == image.space) return result;

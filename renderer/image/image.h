@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ Image read_image(const std::filesystem::path& file);
 /// sRGB-encoded and clamped first (non-finite: NaN becomes 0, +Inf 1). A display image in EXR is converted to linear.
 /// Throws InputError.
 void write_image(const Image& image, const std::filesystem::path& file);
+
+/// Writes numbers, not a picture to look at: a grey PNG of 16 bits, `grey` row by row from the top row, kept as they
+/// are. Throws InputError.
+void write_grey16_png(int width, int height, std::span<const uint16_t> grey, const std::filesystem::path& file);
 
 /// The same picture in another space, by the sRGB curve alone: no tone mapping and no clamp.
 Image converted(const Image& image, ColorSpace space);

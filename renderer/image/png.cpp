@@ -87,6 +87,21 @@ void composite_over_black(const unsigned char* rgba, float* rgb) {
     for (int c = 0; c < 3; ++c) rgb[c] = alpha == 1.0F ? value(c) : linear_to_srgb(alpha * srgb_to_linear(value(c)));
 }
 
+// `format`: one of libpng's PNG_FORMAT_*, whose rows stand in `pixels` without padding.
+std::string encode(int width, int height, png_uint_32 format, const void* pixels, const std::string& name) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(width);
+    png.height = static_cast<png_uint_32>(height);
+    png.format = format;
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::string bytes(size, '\0');
+    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr) == 0)
+        throw InputError(name, fmt::format("cannot be encoded as PNG: {}", png.message));
+    bytes.resize(size);
+    return bytes;
+}
+
 }  // namespace
 
 Image decode_png(const std::string& bytes, const std::string& name) {
@@ -125,17 +140,11 @@ std::string encode_png(const Image& image, const std::string& name) {
         return static_cast<unsigned char>(std::floor(clamped * 255.0F + 0.5F));
     });
 
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGB;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-    std::string bytes(size, '\0');
-    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0)
-        throw InputError(name, fmt::format("cannot be encoded as PNG: {}", png.message));
-    bytes.resize(size);
-    return bytes;
+    return encode(image.width, image.height, PNG_FORMAT_RGB, rgb.data(), name);
+}
+
+std::string encode_grey16_png(int width, int height, std::span<const uint16_t> grey, const std::string& name) {
+    return encode(width, height, PNG_FORMAT_LINEAR_Y, grey.data(), name);
 }
 
 }  // namespace lightsweep

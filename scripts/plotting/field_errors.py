@@ -3,7 +3,8 @@
 from . import report as data
 from . import style
 
-UNITS = {"deg": "degrees", "rel": "relative to the distance", "abs": "absolute"}
+UNITS = {"deg": "degrees", "rel": "relative", "abs": "absolute"}
+RELATIVE_TO = {"position": "the distance", "emissive": "the radiance"}
 COLOR = style.LINE_COLORS[0]
 MARKS = {"mean": {"marker": "o", "markersize": 5, "color": COLOR},
          "p99": {"marker": "|", "markersize": 9, "markeredgewidth": 1.6, "color": COLOR},
@@ -37,7 +38,7 @@ def _field_panel(axes, field, cells):
         for kind, value in values.items():
             handles[kind] = axes.plot([value], [row], linestyle="none", **MARKS[kind])[0]
         shown += values.values()
-        axes.set_xlabel(UNITS.get(unit, unit))
+        axes.set_xlabel(UNITS.get(unit, unit) + (f" to {RELATIVE_TO[field]}" if unit == "rel" and field in RELATIVE_TO else ""))
     if shown:
         style.log_axis_from_zero(axes.xaxis, shown)
     axes.set_title(field.replace("_", " "))

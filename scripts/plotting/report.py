@@ -112,6 +112,25 @@ def image_error(cell, metric):
     return filled(value, error["flip_mean_low"], error["flip_mean_high"]) if metric == "flip_mean" else (value, value, value)
 
 
+def front_states(report, cells, metric):
+    """{cell id: front, perhaps or dominated} as the report's `pareto` has it. That is of FLIP's mean: for another error the
+    front is drawn anew, and only the verdicts in `pairs` say which arm is surely beaten."""
+    if metric == "flip_mean":
+        return {point["id"]: point["state"] for entry in report["pareto"] for point in entry["points"]}
+    error_of = {cell["id"]: image_error(cell, metric)[0] for cell in cells}
+    on_front = front([(estimate_ms(cell["statistics"]["wall_ns"])[0], error_of[cell["id"]]) for cell in cells])
+    states = {cell["id"]: "front" if index in on_front else "perhaps" for index, cell in enumerate(cells)}
+    opposite = {"faster": "slower", "slower": "faster"}
+    for pair in report["pairs"]:
+        a, b, verdict = pair["a"], pair["b"], pair["verdict"]
+        for winner, loser, judged in ((a, b, verdict), (b, a, opposite.get(verdict, verdict))):
+            if winner not in states or states.get(loser) != "perhaps" or error_of[winner] > error_of[loser]:
+                continue
+            if judged == "faster" or (judged == "same" and error_of[winner] < error_of[loser]):
+                states[loser] = "dominated"
+    return states
+
+
 def front(points):
     """The indices of the points (time, error) that no other is as good as in both and better than in one, by rising time."""
     beaten = [any(other != point and other[0] <= point[0] and other[1] <= point[1] for other in points) for point in points]

@@ -1,4 +1,4 @@
-"""Time against error: every arm of a group with the front that no other beats, at the largest light count."""
+"""Time against error: every arm of a group, and how sure it is that another beats it, at the largest light count."""
 
 import itertools
 import math
@@ -19,7 +19,8 @@ METRICS = {
     "rel_p50": "median relative difference",
     "rel_p99": "99th percentile of the relative difference",
 }
-FADED = 0.35
+LOOKS = {"front": {}, "perhaps": {"markerfacecolor": "white"}, "dominated": {"alpha": 0.35}}  # on top of the arm's style
+NAMES = {"perhaps": "perhaps: not surely\nbeaten", "dominated": "faded: surely beaten"}
 MARKER_ROOM_PX = 6
 BAR_ROOM_PX = 2
 LABEL_POINTS = 7
@@ -88,17 +89,18 @@ def _shown_low(error):
     return max(error[1], SHOWN_OF_LOW_END * error[0])
 
 
-def _panel(axes, cells, metric, styles):
+def _panel(axes, cells, metric, styles, states):
     """Returns the labels to place, those of the front first."""
     several_hdr = len({cell["params"]["hdr"] for cell in cells}) > 1
     labels = []
     points = [(_time(cell), data.image_error(cell, metric)) for cell in cells]
-    front = data.front([(time[0], error[0]) for time, error in points])
-    for index, (cell, (time, error)) in enumerate(zip(cells, points)):
+    front = sorted((index for index, cell in enumerate(cells) if states[cell["id"]] == "front"),
+                   key=lambda index: points[index][0][0])
+    for cell, (time, error) in zip(cells, points):
         arm = data.arm_of(cell["params"])
         axes.errorbar([time[0]], [error[0]], xerr=[[time[0] - time[1]], [time[2] - time[0]]],
                       yerr=[[max(0, error[0] - error[1])], [max(0, error[2] - error[0])]], elinewidth=0.8, linestyle="none",
-                      color=styles.color(arm), marker=styles.marker(arm), alpha=1.0 if index in front else FADED)
+                      color=styles.color(arm), marker=styles.marker(arm), **LOOKS[states[cell["id"]]])
         text = data.name_of(arm.layout) if arm.layout else arm.path
         labels.append((time, error, f"{text}, {arm.hdr}" if several_hdr else text, styles.color(arm)))
     axes.plot([points[index][0][0] for index in front], [points[index][1][0] for index in front], drawstyle="steps-post",
@@ -113,8 +115,9 @@ def _panel(axes, cells, metric, styles):
 def _legend(axes, arms, styles):
     paths = {arm.path: styles.color(arm) for arm in arms}
     handles = [lines.Line2D([], [], color=color, marker="s", linestyle="none", label=path) for path, color in paths.items()]
-    handles.append(lines.Line2D([], [], color="black", linestyle="--", linewidth=1, label="front: nothing beats\nit in both"))
-    handles.append(lines.Line2D([], [], color=style.FAINT, marker="s", linestyle="none", alpha=FADED, label="faded: beaten"))
+    handles.append(lines.Line2D([], [], color="black", linestyle="--", linewidth=1, label="front (by the estimates)"))
+    handles += [lines.Line2D([], [], color=style.FAINT, marker="s", linestyle="none", label=name, **LOOKS[state])
+                for state, name in NAMES.items()]
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1))
 
 
@@ -134,7 +137,7 @@ def draw(report, scene, cells, paths, metric):
                                       len(shown), 7.0 if crowded else 5.2, 5.8 if crowded else 4.6)
     labels = {}
     for axes, (panel, group) in zip(panels, shown.items()):
-        labels[axes] = _panel(axes, group, metric, styles)
+        labels[axes] = _panel(axes, group, metric, styles, data.front_states(report, group, metric))
         axes.set_title(f"{panel.title}, {group[0]['params']['lights']} lights")
     _legend(panels[-1], arms, styles)
     for axes, of_panel in labels.items():

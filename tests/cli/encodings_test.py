@@ -27,13 +27,15 @@ class Encodings(ProgramTest):
         names = [(e["field"], e["name"]) for e in self.measured()]
         self.assertEqual(len(names), len(set(names)))
         for e in self.measured():
-            self.assertGreaterEqual(e["samples"], 1_000_000)
+            self.assertEqual(e["samples"], MILLION, e)
             self.assertIn(e["bits"], range(1, 129))
             unit = units.get(e["field"], "abs")
             mean, p99, most = (e[f"{which}_{unit}"] for which in ("mean", "p99", "max"))
             self.assertTrue(0 <= mean <= most and 0 <= p99 <= most and math.isfinite(most), e)
-            self.assertGreater(e["encode_ns_per_px"], 0)
-            self.assertGreater(e["decode_ns_per_px"], 0)
+            for what in ("encode", "decode"):
+                time, low, high = (e[f"{what}{end}_ns_per_px"] for end in ("", "_low", "_high"))
+                self.assertGreater(time, 0)
+                self.assertTrue((low is None or 0 < low <= time) and (high is None or high >= time), e)
             self.assertNotEqual(e["domain"], "")
 
     def test_what_is_measured(self):
@@ -47,6 +49,9 @@ class Encodings(ProgramTest):
             self.assertEqual(e["domain"], "hemisphere" if name.startswith(("hemi_oct", "xy_z")) else "sphere")
         self.assertEqual(set(self.named("depth")), {f"{depth}_{convention}{clip}" for depth in ("d16", "d24", "d32f")
                                                    for convention in ("standard", "reversed") for clip in ("", "_no_clip_control")})
+
+        for name, e in self.named("base_color").items():
+            self.assertEqual("patches of 64 px" in e["domain"], name.startswith("ycocg"), e)
 
     def test_more_bits_err_less(self):
         normals = self.named("normal")

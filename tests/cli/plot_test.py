@@ -3,10 +3,19 @@
 import itertools
 import pathlib
 import re
+import struct
+import sys
 import tempfile
 import unittest
+import zlib
 
-from program import grey_png, script, write_json
+from program import ROOT, script, write_json
+
+sys.path.insert(0, str(ROOT / "scripts"))
+sys.dont_write_bytecode = True
+
+from plotting import flip_maps  # noqa: E402  (the path comes first)
+from plotting import report as data  # noqa: E402
 
 HDR = "rgba16f"
 ARMS = (("forward", None), ("deferred", "oct32"), ("deferred", "my/own layout.json"))
@@ -18,12 +27,22 @@ def estimate(ns, open_ended=False):
 
 def error(flip_mean, layout):
     """As a cell's: the larger, the wider its interval; the first layout is exact in its roughness."""
-    number = {"flip_mean": flip_mean, "rmse": 2 * flip_mean}
+    number = {"flip_mean": flip_mean, "rmse": 2 * flip_mean, "nonfinite_px": 0}
     fields = {} if layout is None else {
         "normal": {"mean_deg": 0.1, "p99_deg": 0.4, "max_deg": 2.0},
         "roughness": dict.fromkeys(("mean_abs", "p99_abs", "max_abs"), 0.0 if layout == ARMS[1][1] else 0.002)}
     return {"reference": {"display": number}, "control": None, "flip_mean_low": 0.0, "flip_mean_high": 1.5 * flip_mean,
             "fields": fields}
+
+
+def map_png(width, height, values):
+    """The bytes of a 16-bit grey picture (PNG specification, sections 5.3 and 11.2)."""
+    def chunk(kind, content):
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+
+    rows = b"".join(b"\0" + struct.pack(f">{width}H", *values[y * width:(y + 1) * width]) for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 0, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128, 72)), arms=ARMS):
@@ -51,7 +70,11 @@ def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128,
                 "error": error(0.001 * number, layout),
             })
             if number > 0:
-                report["pairs"].append({"a": ids[-1], "b": ids[0], "ratio": 1.5, "low": None, "high": 2.0})
+                report["pairs"].append({"a": ids[-1], "b": ids[0], "ratio": 1.5, "low": None, "high": 2.0,
+                                        "verdict": "slower" if number == 1 else "ambiguous"})
+        states = ("front", "perhaps", "dominated")
+        points = [{"id": cell_id, "state": states[number % 3]} for number, cell_id in enumerate(ids)]
+        report["pareto"].append({"points": points})
     for path, layout in arms[1:]:
         report["crossovers"].append({
             "scene": scenes[0], "width_px": 64, "height_px": 36, "overlap": None,
@@ -89,7 +112,8 @@ class Plot(unittest.TestCase):
         (self.folder / "maps").mkdir()
         for cell in report["cells"]:
             params = cell["params"]
-            (self.folder / "maps" / f"{cell['id']}.png").write_bytes(grey_png(params["width_px"], params["height_px"]))
+            width, height = params["width_px"], params["height_px"]
+            (self.folder / "maps" / f"{cell['id']}.png").write_bytes(map_png(width, height, range(width * height)))
 
     def test_everything(self):
         report = made_up_report()
@@ -106,6 +130,33 @@ class Plot(unittest.TestCase):
         done = script("plot.py", self.folder / "report.json", "--error", "rmes")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("rmse", done.stderr)
+
+    def test_the_legend_says_how_sure_a_beaten_arm_is_beaten(self):
+        self.plot(made_up_report(lights=(4,)))
+        words = self.words_in("time_against_error_cornell")
+        for word in ("front (by the estimates)", "perhaps: not surely", "faded: surely beaten"):
+            self.assertIn(word, words)
+
+    def test_states_on_the_front(self):
+        report = made_up_report(lights=(4,), sizes=((64, 36),))
+        cells = data.measured(report)
+        ids = [cell["id"] for cell in cells]
+        self.assertEqual(data.front_states(report, cells, "flip_mean"), dict(zip(ids, ("front", "perhaps", "dominated"))))
+        # Of another error the report has only its pairs: the second arm is surely slower than the first, the third is not.
+        self.assertEqual(data.front_states(report, cells, "rmse"), dict(zip(ids, ("front", "dominated", "perhaps"))))
+        report["pairs"][0]["verdict"] = "same"
+        self.assertEqual(data.front_states(report, cells, "rmse")[ids[1]], "dominated")
+        cells[1]["error"]["reference"]["display"]["rmse"] = 0
+        self.assertEqual(data.front_states(report, cells, "rmse")[ids[1]], "perhaps")
+
+    def test_maps_are_read_with_all_their_bits(self):
+        file = self.folder / "map.png"
+        file.write_bytes(map_png(3, 2, (0, 1, 7, 255, 256, 65535)))
+        values = flip_maps._read(file, data.Panel(3, 2, None))
+        self.assertEqual([round(65535 * float(value)) for value in values.flat], [0, 1, 7, 255, 256, 65535])
+        self.assertEqual(values.flat[5], 1)
+        with self.assertRaisesRegex(ValueError, "2x3"):
+            flip_maps._read(file, data.Panel(2, 3, None))
 
     def test_arms_without_an_error_are_left_out(self):
         report = made_up_report(lights=(4,), sizes=((64, 36),), arms=(*ARMS, ("deferred", "unheard"), ("deferred", "alone")))

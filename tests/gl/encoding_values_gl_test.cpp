@@ -3,6 +3,7 @@
 #include "tests/gl/round_trips.h"
 
 #include "renderer/base/random.h"
+#include "renderer/frame/frame.h"
 
 #include <gtest/gtest.h>
 
@@ -60,20 +61,46 @@ TEST(EncodedValues, PolesOfTheSpheremapAreExact) {
     }
 }
 
-TEST(EncodedValues, WhatLooksAwayIsClampedToTheHemisphere) {
-    const Variant& any = variant("normal", "hemi_oct_16_16");
-    const Camera camera = probe_camera(any);
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    // Turned away by 10 degrees: what comes back is the nearest that can be stored, on the silhouette. Straight away:
-    // anything, but a normal.
-    const glm::dvec3 side = glm::normalize(glm::cross(forward, glm::dvec3(0.3, 1.0, 0.0)));
-    const glm::dvec3 away = std::cos(glm::radians(10.0)) * side + std::sin(glm::radians(10.0)) * forward;
+TEST(EncodedValues, HemispheresAreAboutThePixelsRay) {
+    const Camera camera = probe_camera(variant("normal", "hemi_oct_16_16"));
+    const glm::dmat4 world = glm::inverse(camera_projection(camera, 8, 8, DepthConvention::reversed));
     for (const char* name : {"hemi_oct_16_16", "xy_z_16_16"}) {
-        const auto back =
-            back_of(variant("normal", name), {glm::vec4(away, 0.0), glm::vec4(forward, 0.0), glm::vec4(-forward, 0.0)});
-        EXPECT_NEAR(angle_deg(away, back[0]), 10.0, 0.6) << name;
-        EXPECT_NEAR(glm::length(back[1]), 1.0, 1e-6) << name;
-        EXPECT_LT(angle_deg(-forward, back[2]), 0.01) << name;
+        // Turned about each pixel's ray. Flat ground that the eye sees at 2 degrees comes back, in a corner of the
+        // picture as in its middle; what looks away by 10 is turned to the nearest that can be stored, on the
+        // silhouette; and what looks straight away comes back as anything, but a normal.
+        std::vector<glm::vec4> grazing, away, straight;
+        for (int i = 0; i < 64; ++i) {
+            const glm::dvec4 place = world * glm::dvec4((i % 8 + 0.5) / 4.0 - 1.0, (i / 8 + 0.5) / 4.0 - 1.0, 0.5, 1.0);
+            const glm::dvec3 ray = glm::normalize(glm::dvec3(place) / place.w);
+            const glm::dvec3 side = glm::normalize(glm::cross(ray, glm::dvec3(std::cos(i), std::sin(i), 0.3)));
+            const auto turned = [&](double degrees) {
+                return glm::vec4(std::cos(glm::radians(degrees)) * side + std::sin(glm::radians(degrees)) * ray, 0.0);
+            };
+            grazing.push_back(turned(-2.0));
+            away.push_back(turned(10.0));
+            straight.emplace_back(ray, 0.0);
+        }
+        const auto grazing_back = back_of(variant("normal", name), grazing);
+        const auto away_back = back_of(variant("normal", name), away);
+        const auto straight_back = back_of(variant("normal", name), straight);
+        for (size_t i = 0; i < 64; ++i) {
+            EXPECT_LT(angle_deg(glm::dvec3(grazing[i]), grazing_back[i]), 0.1) << name << " in pixel " << i;
+            EXPECT_NEAR(angle_deg(glm::dvec3(away[i]), away_back[i]), 10.0, 0.6) << name << " in pixel " << i;
+            EXPECT_NEAR(glm::length(straight_back[i]), 1.0, 1e-6) << name << " in pixel " << i;
+        }
+    }
+}
+
+TEST(EncodedValues, BestFitTriesTheLongest) {
+    // (n, n - 1, n - 2) with n the channel's largest value: no shorter vector of integers has this direction.
+    for (const int bits : {4, 5, 6, 7, 8, 9, 10}) {
+        Variant v = variant("normal", "best_fit_8_8_8");
+        v.layout.targets.front().format = gl::Format::R32UI;
+        auto& slots = v.layout.targets.front().fields.front().slots;
+        for (int i = 0; i < 3; ++i) slots[static_cast<size_t>(i)] = {.low_bit = i * bits, .bit_count = bits};
+        const double n = std::ldexp(1.0, bits - 1) - 1.0;
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(n, n - 1.0, n - 2.0));
+        EXPECT_LT(angle_deg(direction, back_of(v, {glm::vec4(direction, 0.0)})[0]), 1e-5) << bits << " bits";
     }
 }
 

@@ -124,6 +124,20 @@ TEST_F(ImageFile, PngEncodesAndClampsLinearValues) {
     EXPECT_EQ(read.rgb, expected.rgb);
 }
 
+TEST_F(ImageFile, Grey16KeepsEveryValue) {
+    std::vector<uint16_t> grey(256 * 256);
+    for (size_t i = 0; i < grey.size(); ++i) grey[i] = static_cast<uint16_t>(i);
+    write_grey16_png(128, 512, grey, path("a.png"));
+    const Image read = read_image(path("a.png"));
+    ASSERT_EQ(read.width, 128);
+    ASSERT_EQ(read.height, 512);
+    for (size_t i = 0; i < grey.size(); ++i) ASSERT_EQ(std::lround(read.rgb[3 * i] * 65535), grey[i]);
+    // PNG specification, 11.2.2: bit depth and colour type follow width and height.
+    EXPECT_EQ(read_file(path("a.png")).substr(24, 2), std::string("\x10\0", 2));
+    EXPECT_THAT([&] { write_grey16_png(1, 1, std::vector<uint16_t>(1), path("no/such/folder/a.png")); },
+                ThrowsMessage<InputError>(HasSubstr("no/such/folder/a.png")));
+}
+
 TEST_F(ImageFile, TopRowComesFirst) {
     for (const char* name : {"a.png", "a.exr"}) {
         Image image(2, 3, ColorSpace::linear);

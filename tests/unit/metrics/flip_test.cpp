@@ -2,10 +2,12 @@
 #include "bench/metrics/flip.h"
 
 #include "bench/metrics/flip_filters.h"
+#include "renderer/base/error.h"
 #include "tests/unit/metrics/pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +176,21 @@ TEST(FlipFilters, KeepFlatColorsAndSumToOne) {
         EXPECT_NEAR(sum(filters.point, positive), 1, 1e-6);
         EXPECT_NEAR(sum(filters.point, weight), 0, 1e-6);
     }
+}
+
+TEST(FlipMapFile, HoldsTheErrorsIn16Bits) {
+    const std::filesystem::path file =
+        std::filesystem::path(::testing::TempDir()) / ("lightsweep_flip_map_" + std::to_string(::getpid()) + ".png");
+    const FlipMap map{.width = 3, .height = 2, .error = {0, 1e-4F, 0.5F, 1, kNan, 1.0F / 65535}, .exposures = {}};
+    write_flip_map(map, file);
+    const Image back = read_image(file);
+    std::filesystem::remove(file);
+    ASSERT_EQ(back.width, 3);
+    ASSERT_EQ(back.height, 2);
+    for (size_t i = 0; i < map.error.size(); ++i) {
+        EXPECT_NEAR(back.rgb[3 * i], i == 4 ? 0.0F : map.error[i], 0.5 / 65535 + 1e-7) << i;
+    }
+    EXPECT_THROW(write_flip_map(map, "/nowhere/at/all.png"), InputError);
 }
 
 TEST(FlipPicture, RunsThroughMagma) {

@@ -144,7 +144,7 @@ TEST(Assemble, statistics_are_those_of_the_samples) {
     EXPECT_NEAR(wall.at("stddev").get<double>(), std::sqrt(1000.0 / 7.0), 1e-12);  // 4 * (15^2 + 5^2) = 1000
 }
 
-TEST(Assemble, time_against_error_leaves_out_what_is_beaten_in_both) {
+TEST(Assemble, time_against_error_says_who_is_surely_beaten_in_both) {
     // oct16 has the largest error and is the slowest; oct32 is as right as forward and faster.
     const auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct16"}, {"deferred", "oct32"}}, {4},
                                            [](const CellParams& c) {
@@ -155,7 +155,22 @@ TEST(Assemble, time_against_error_leaves_out_what_is_beaten_in_both) {
     ASSERT_THAT(pareto, SizeIs(1));
     EXPECT_EQ(pareto[0].at("metric_error"), "reference.display.flip_mean");
     EXPECT_EQ(pareto[0].at("front"), Json({cells[2].id}));
+    EXPECT_EQ(pareto[0].at("perhaps"), Json::array());
     EXPECT_EQ(pareto[0].at("dominated"), Json({cells[0].id, cells[1].id}));
+    EXPECT_EQ(pareto[0].at("points")[0].at("state"), "dominated");
+    EXPECT_EQ(pareto[0].at("points")[2].at("state"), "front");
+}
+
+TEST(Assemble, an_arm_beaten_by_its_median_alone_is_perhaps_on_the_front) {
+    const auto same_time = [](const CellParams&) { return 1e6; };
+    const auto journal = synthetic_journal({{"forward", ""}, {"deferred", "oct32"}}, {4}, same_time, 13, 0.1);
+    const Json pareto = assemble_report(journal).at("pareto")[0];
+    const Json& points = pareto.at("points");
+    const size_t slower = points[0].at("time_ns") < points[1].at("time_ns") ? 1 : 0;  // their errors are equal
+    EXPECT_EQ(pareto.at("front"), Json({points[1 - slower].at("id")}));
+    EXPECT_EQ(pareto.at("perhaps"), Json({points[slower].at("id")}));
+    EXPECT_EQ(pareto.at("dominated"), Json::array());
+    EXPECT_EQ(points[slower].at("state"), "perhaps");
 }
 
 TEST(Assemble, the_points_of_time_against_error_have_both_intervals) {
@@ -171,6 +186,7 @@ TEST(Assemble, the_points_of_time_against_error_have_both_intervals) {
     const Json& points = pareto[0].at("points");
     ASSERT_THAT(points, SizeIs(2));
     EXPECT_EQ(points[0], (Json{{"id", cells[0].id},
+                               {"state", "front"},
                                {"time_ns", 2e6},
                                {"time_low_ns", 2e6},
                                {"time_high_ns", 2e6},
@@ -305,6 +321,10 @@ TEST_F(CheckedReport, faults_are_found) {
         front.push_back(dominated[0]);
         dominated.erase(0);
     })) << "a beaten cell on the front";
+    EXPECT_TRUE(is_refused([](Json& r) { r["pareto"][0]["points"][0]["state"] = "perhaps"; })) << "not its list";
+    EXPECT_TRUE(is_refused([](Json& r) { r["noise"]["floor"] = nullptr; })) << "surely beaten without a floor";
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["error"]["lost_px"] = 640 * 360 + 1; })) << "too many lost";
+    EXPECT_TRUE(is_refused([](Json& r) { r["run"]["max_error"]["metric"] = "ssim"; })) << "more is better";
     EXPECT_TRUE(is_refused([](Json& r) { r["pareto"][0]["points"][0]["error"] = 0.5; }))
         << "another error than the cell's";
     EXPECT_TRUE(is_refused([](Json& r) { r["answers"][0]["arm"] = r["cells"][8]["id"]; })) << "a winner from elsewhere";

@@ -72,6 +72,13 @@ TEST_F(Journal, resume_cuts_the_torn_end_and_goes_on) {
     EXPECT_EQ(assemble_report(read_journal(file_)), assemble_report(content_));
 }
 
+TEST_F(Journal, a_question_about_an_unknown_metric_is_refused_with_its_place) {
+    content_.run.max_error = {.metric = "beauty", .limit = 0.5};
+    write_groups(1);
+    EXPECT_THAT(input_error([&] { read_journal(file_); }),
+                AllOf(StartsWith(file_.string() + ":1:/run/max_error/metric: "), HasSubstr("known: flip_mean")));
+}
+
 TEST_F(Journal, a_broken_line_is_refused_with_its_number) {
     write_groups(2);
     std::ofstream(file_, std::ios::app) << "{\"kind\":\n";

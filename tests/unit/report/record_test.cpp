@@ -122,6 +122,26 @@ TEST(Record, what_was_asked_survives_the_round_trip) {
     EXPECT_EQ(back.max_time_ns, 8e6);
 }
 
+TEST(Record, a_limit_is_refused_with_its_place_unless_it_bounds_a_metric) {
+    RunInfo run = synthetic_run(3);
+    for (const std::string& metric : kBoundableMetrics) {
+        run.max_error = {.metric = metric, .limit = 0.25};
+        EXPECT_EQ(from_json<RunInfo>(to_json(run), "x").max_error->metric, metric);
+        EXPECT_TRUE(synthetic_image_error({}).value(metric) == std::nullopt) << "a metric of pictures";
+    }
+    Json json = to_json(run);
+    json["max_error"]["metric"] = "flip_men";
+    EXPECT_THAT(input_error([&] { from_json<RunInfo>(json, "f:"); }),
+                AllOf(StartsWith("f:/max_error/metric: "), HasSubstr("did you mean 'flip_mean'"), HasSubstr("rmse")));
+    json["max_error"]["metric"] = "ssim";  // more is better
+    EXPECT_THAT(input_error([&] { from_json<RunInfo>(json, "f:"); }), HasSubstr("unknown metric 'ssim'"));
+    json = to_json(run);
+    for (const Json& limit : {Json(-0.5), Json(nullptr)}) {
+        json["max_error"]["limit"] = limit;
+        EXPECT_THAT(input_error([&] { from_json<RunInfo>(json, "f:"); }), StartsWith("f:/max_error/limit: "));
+    }
+}
+
 TEST(Record, what_is_not_finite_becomes_null) {
     RunInfo run = synthetic_run(1);
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
