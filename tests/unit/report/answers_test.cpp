@@ -162,11 +162,13 @@ TEST(MostExactWithin, a_smaller_error_decides_even_where_the_intervals_meet_and_
 }
 
 TEST(MostExactWithin, no_error_at_all_beats_every_error) {
-    const Answer answer = most_exact_within(planted_group({{"rough", 1.0, 0.02}, {"control", 2.0, 0.0}}), 5.0 * kMs);
+    const auto with_control = planted_group({{"rough", 1.0, 0.02}, {"control", 2.0, 0.0}});
+    const Answer answer = most_exact_within(with_control, 5.0 * kMs);
     EXPECT_EQ(layout_of(answer.arm), "control");
     EXPECT_EQ(answer.ratio->estimate, 0.0);
     EXPECT_EQ(answer.verdict, "more_exact");
-    const Answer both = most_exact_within(planted_group({{"a", 1.0, 0.0}, {"b", 2.0, 0.0}}), 5.0 * kMs);
+    const auto two_exact = planted_group({{"a", 1.0, 0.0}, {"b", 2.0, 0.0}});
+    const Answer both = most_exact_within(two_exact, 5.0 * kMs);
     EXPECT_EQ(layout_of(both.arm), "a");
     EXPECT_FALSE(both.ratio.has_value());  // 0 over 0
     EXPECT_EQ(both.verdict, "same");
