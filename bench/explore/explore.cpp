@@ -25,7 +25,7 @@ class Draftsman {
         truth_ = draw(control_);
     }
     const Layout& control() const { return control_; }
-    PictureError error(const Layout& layout) { return control_error(truth_, draw(layout)); }
+    PictureError error(const Layout& layout) { return picture_error(truth_, draw(layout), HdrFlip::leave_out); }
 
   private:
     Picture draw(const Layout& layout) {

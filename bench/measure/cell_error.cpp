@@ -59,14 +59,9 @@ Picture picture_of(Image hdr) {
     return {std::move(hdr), std::move(display)};
 }
 
-PictureError picture_error(const Image& true_hdr, const Image& true_display, const Picture& test) {
-    return {.hdr = measure_error(image_pair(true_hdr, test.hdr)),
-            .display = measure_error(image_pair(true_display, test.display))};
-}
-
-PictureError control_error(const Picture& control, const Picture& test) {
-    return {.hdr = measure_error(image_pair(control.hdr, test.hdr), "flip"),
-            .display = measure_error(image_pair(control.display, test.display))};
+PictureError picture_error(const Picture& truth, const Picture& test, HdrFlip hdr_flip) {
+    return {.hdr = measure_error(image_pair(truth.hdr, test.hdr), hdr_flip == HdrFlip::measure ? "" : "flip"),
+            .display = measure_error(image_pair(truth.display, test.display))};
 }
 
 std::optional<double> packing_share(const Image& reference, const Image& control, const Image& test) {

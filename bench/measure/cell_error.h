@@ -19,10 +19,9 @@ struct Picture {
 
 Picture picture_of(Image hdr);
 
-/// Against the reference: every metric.
-PictureError picture_error(const Image& true_hdr, const Image& true_display, const Picture& test);
-/// Against the control: every metric but HDR-FLIP.
-PictureError control_error(const Picture& control, const Picture& test);
+/// Every metric of both pictures, HDR-FLIP among them only if asked: it takes longer than all the others.
+enum class HdrFlip : uint8_t { measure, leave_out };
+PictureError picture_error(const Picture& truth, const Picture& test, HdrFlip hdr_flip);
 
 /// <e, p> / <e, e> over display values, e = test - reference, p = test - control; nothing when e is zero everywhere.
 std::optional<double> packing_share(const Image& reference, const Image& control, const Image& test);

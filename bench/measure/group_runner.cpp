@@ -146,8 +146,8 @@ GroupRunner::Truth GroupRunner::find_truth(const CellParams& cell, const Subject
             record.from_cache = record.from_cache && snapped.from_cache;
             record.seconds += snapped.seconds;
             const auto& surfaces = references_.surfaces();
-            record.control_exact = relative_error(truth.reference->hdr, truth.control->hdr, surfaces);
-            record.control_snapped = relative_error(snapped.hdr, truth.control->hdr, surfaces);
+            record.control_exact = relative_error(truth.reference->picture.hdr, truth.control->hdr, surfaces);
+            record.control_snapped = relative_error(snapped.picture.hdr, truth.control->hdr, surfaces);
         }
     } catch (const std::exception& error) {
         truth.failures.push_back(std::string("no error against the reference: ") + error.what());
@@ -175,10 +175,10 @@ const LayoutError& GroupRunner::layout_error_of(const CellParams& params, const 
     // By the layout as the user named it: two files may have one key.
     const std::string key =
         fmt::format("{} {}x{} {}", scene.content_hash, subject.width, subject.height, params.layout);
-    const auto [found, is_new] = layout_errors_.try_emplace(key);
-    if (is_new) {
+    auto found = layout_errors_.find(key);
+    if (found == layout_errors_.end()) {  // entered only when it is known: a failure must not leave an empty one
         const auto decoded = draw_decoded_surface(arm.setup(), subject, buffers_, shapes_);
-        found->second = layout_error(references_.surfaces(), decoded, subject.scene.needs());
+        found = layout_errors_.emplace(key, layout_error(references_.surfaces(), decoded, subject.scene.needs())).first;
     }
     return found->second;
 }
@@ -187,13 +187,12 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
                                   const SamplingRules& rules, CellResult& cell) {
     const Picture picture = picture_of(arm.hdr_image());
     CellError error;
-    if (truth.control) error.control = control_error(*truth.control, picture);
+    if (truth.control) error.control = picture_error(*truth.control, picture, HdrFlip::leave_out);
     if (!truth.reference) return error;
-    error.reference = picture_error(truth.reference->hdr, truth.reference->display, picture);
-    if (truth.control) {
-        error.packing_share = packing_share(truth.reference->display, truth.control->display, picture.display);
-    }
-    const FlipMap map = ldr_flip(truth.reference->display, picture.display);
+    const Picture& reference = truth.reference->picture;
+    error.reference = picture_error(reference, picture, HdrFlip::measure);
+    if (truth.control) error.packing_share = packing_share(reference.display, truth.control->display, picture.display);
+    const FlipMap map = ldr_flip(reference.display, picture.display);
     if (const auto interval = mean_interval(map)) {
         error.flip_mean_low = interval->low;
         error.flip_mean_high = interval->high;
@@ -206,9 +205,13 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
         }
     }
     if (!cell.params.layout.empty()) {
-        const LayoutError& layout = layout_error_of(cell.params, arm, subject);
-        error.fields = layout.fields;
-        error.lost_px = layout.lost_px;
+        try {
+            const LayoutError& layout = layout_error_of(cell.params, arm, subject);
+            error.fields = layout.fields;
+            error.lost_px = layout.lost_px;
+        } catch (const EnvironmentError& failure) {  // no room for the probe's targets: the arm itself can be timed
+            cell.warnings.push_back(std::string("no errors of the fields: ") + failure.what());
+        }
     }
     return error;
 }

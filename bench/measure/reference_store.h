@@ -2,19 +2,17 @@
 // picture in double precision, and keeps pictures on disk between runs.
 #pragma once
 
-#include "bench/measure/surface_probes.h"
+#include "bench/measure/cell_error.h"
 #include "renderer/reference/cache.h"
 #include "renderer/reference/surfaces.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace lightsweep {
 
 struct Reference {
-    Image hdr;      ///< linear radiance
-    Image display;  ///< tone-mapped, not rounded to 8 bits
+    Picture picture;
     std::string key;
     bool from_cache = false;
     double seconds = 0.0;
