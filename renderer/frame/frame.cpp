@@ -154,7 +154,7 @@ void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const 
 FrameBuffers::FrameBuffers()
     : constants_(sizeof(shared::FrameData), "frame constants"),
       visible_instances_(1024 * sizeof(uint32_t), "visible instances"),
-      lights_(1024 * sizeof(shared::LightData), "lights") {}
+      lights_(gl::Buffer(1024 * sizeof(shared::LightData), "lights"), gl::Format::RGBA32F) {}
 
 void FrameBuffers::upload(const Frame& frame) {
     constants_.write(std::as_bytes(std::span(&frame.data, 1)));
@@ -164,7 +164,7 @@ void FrameBuffers::upload(const Frame& frame) {
 
 void FrameBuffers::bind(const GpuScene& scene) const {
     constants_.bind_uniform(shared::kFrameBlock);
-    lights_.bind_storage(shared::kLightBuffer);
+    lights_.bind(shared::kLightUnit);
     scene.bind(visible_instances_);
 }
 

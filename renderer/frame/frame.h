@@ -4,6 +4,7 @@
 
 #include "renderer/frame/gpu_scene.h"
 #include "renderer/gl/buffer.h"
+#include "renderer/gl/texel_buffer.h"
 #include "renderer/scene/scene.h"
 #include "shaders/shared/types.h"
 
@@ -64,7 +65,8 @@ class FrameBuffers {
     void bind(const GpuScene& scene) const;
 
   private:
-    gl::Buffer constants_, visible_instances_, lights_;
+    gl::Buffer constants_, visible_instances_;
+    gl::TexelBuffer lights_;
 };
 
 }  // namespace lightsweep

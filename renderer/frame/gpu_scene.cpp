@@ -82,7 +82,8 @@ void GpuScene::upload_geometry() {
     for (const auto& instance : scene_->instances) instances.push_back(instance_data(instance.transform));
     vertices_ = gl::Buffer(std::as_bytes(std::span(scene_->vertices)), "vertices");
     indices_ = gl::Buffer(std::as_bytes(std::span(scene_->indices)), "indices");
-    instances_ = gl::Buffer(std::as_bytes(std::span<const shared::InstanceData>(instances)), "instances");
+    instances_ = gl::TexelBuffer(gl::Buffer(std::as_bytes(std::span<const shared::InstanceData>(instances)), "instances"),
+                                 gl::Format::RGBA32F);
 
     const gl::VertexBinding bindings[] = {kVertexBinding, kVisibleBinding};
     const gl::VertexAttribute attributes[] = {
@@ -133,7 +134,7 @@ void GpuScene::upload_materials() {
 void GpuScene::bind(const gl::Buffer& visible_instances) const {
     vertex_array_.bind();
     vertex_array_.set_buffer(kVisibleBinding, visible_instances);
-    instances_.bind_storage(shared::kInstanceBuffer);
+    instances_.bind(shared::kInstanceUnit);
 }
 
 void GpuScene::bind_material(uint32_t material) const {

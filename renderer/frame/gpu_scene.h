@@ -4,6 +4,7 @@
 #include "renderer/frame/needs.h"
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/draw.h"
+#include "renderer/gl/texel_buffer.h"
 #include "renderer/gl/texture.h"
 #include "renderer/scene/scene.h"
 
@@ -54,7 +55,8 @@ class GpuScene {
     std::vector<Batch> batches_;
     std::vector<InstanceBounds> instance_bounds_;
     gl::VertexArray vertex_array_;
-    gl::Buffer vertices_, indices_, instances_;
+    gl::Buffer vertices_, indices_;
+    gl::TexelBuffer instances_;
     std::vector<gl::Buffer> materials_;
     std::vector<gl::Texture> textures_;
     gl::Texture white_;

@@ -36,6 +36,7 @@ class Buffer {
 
     unsigned id() const { return handle_.id(); }
     size_t size_bytes() const { return size_; }
+    const std::string& label() const { return label_; }
 
   private:
     Handle<detail::delete_buffer> handle_;

@@ -22,6 +22,7 @@ constexpr LimitRow kLimits[] = {
     {"max_texture_units", &Limits::max_texture_units, GL_MAX_TEXTURE_IMAGE_UNITS},
     {"max_image_units", &Limits::max_image_units, GL_MAX_IMAGE_UNITS},
     {"max_uniform_block_bytes", &Limits::max_uniform_block_bytes, GL_MAX_UNIFORM_BLOCK_SIZE},
+    {"max_texel_buffer_texels", &Limits::max_texel_buffer_texels, GL_MAX_TEXTURE_BUFFER_SIZE},
     {"max_storage_block_bytes", &Limits::max_storage_block_bytes, GL_MAX_SHADER_STORAGE_BLOCK_SIZE},
     {"max_storage_bindings", &Limits::max_storage_bindings, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS},
     {"uniform_offset_alignment_bytes", &Limits::uniform_offset_alignment_bytes, GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT},

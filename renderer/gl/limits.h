@@ -19,6 +19,7 @@ struct Limits {
     int64_t max_texture_units = 0;  ///< per fragment shader
     int64_t max_image_units = 0;
     int64_t max_uniform_block_bytes = 0;
+    int64_t max_texel_buffer_texels = 0;  ///< lights are three texels each
     int64_t max_storage_block_bytes = 0;
     int64_t max_storage_bindings = 0;
     int64_t uniform_offset_alignment_bytes = 0;

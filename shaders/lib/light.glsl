@@ -2,7 +2,15 @@
 #include "shared/slots.h"
 #include "shared/types.h"
 
-layout(std430, binding = kLightBuffer) readonly buffer LightBuffer { LightData lights[]; };
+layout(binding = kLightUnit) uniform samplerBuffer light_texels;
+
+LightData light_at(uint index) {
+    int first = int(index) * 3;
+    vec4 place = texelFetch(light_texels, first);
+    vec4 color = texelFetch(light_texels, first + 1);
+    vec4 cone = texelFetch(light_texels, first + 2);
+    return LightData(place.xyz, place.w, color.xyz, color.w, cone.xyz, cone.w);
+}
 
 struct Incident {
     vec3 direction;   // unit, from the surface to the light

@@ -2,6 +2,9 @@
 #include "lib/brdf.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#ifdef LIGHT_GRID
+#include "lib/light_list.glsl"
+#endif
 
 vec3 view_direction(Surface s) { return normalize(-s.position); }
 
@@ -17,16 +20,22 @@ vec3 shade_base(Surface s, vec3 v) {
     vec3 color = s.emissive + frame.ambient * s.base_color;
 #ifdef HAS_DIRECTIONAL_LIGHTS
     for (uint i = 0u; i < frame.directional_count; ++i) {
-        Incident incident = directional_light(lights[i]);
+        Incident incident = directional_light(light_at(i));
         color += incident.irradiance * reflect_light(s, v, incident.direction);
     }
 #endif
     return color;
 }
 
+// With LIGHT_GRID, the lights that are listed for the pixel's cell; else every light.
 vec3 shade(Surface s) {
     vec3 v = view_direction(s);
     vec3 color = shade_base(s, v);
-    for (uint i = frame.directional_count; i < frame.light_count; ++i) color += shade_local(s, v, lights[i]);
+#ifdef LIGHT_GRID
+    LightList list = light_list(gl_FragCoord.xy, dot(s.position, frame.ray_forward));
+    for (uint i = list.begin; i < list.end; ++i) color += shade_local(s, v, light_at(listed_light(i)));
+#else
+    for (uint i = frame.directional_count; i < frame.light_count; ++i) color += shade_local(s, v, light_at(i));
+#endif
     return color;
 }

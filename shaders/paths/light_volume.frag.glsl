@@ -11,5 +11,5 @@ void main() {
     // A volume that reaches past the far plane marks the background too: there is no surface to light.
     if (is_background(depth)) return;
     Surface s = read_surface(gl_FragCoord.xy, depth);
-    color = vec4(shade_local(s, view_direction(s), lights[light_index]), 0.0);
+    color = vec4(shade_local(s, view_direction(s), light_at(light_index)), 0.0);
 }

@@ -9,6 +9,6 @@ layout(location = kLightIndexUniform) uniform uint light_index;
 invariant gl_Position;
 
 void main() {
-    LightData light = lights[light_index];
+    LightData light = light_at(light_index);
     gl_Position = frame.clip_from_world * vec4(light.position + light.radius * position, 1.0);
 }

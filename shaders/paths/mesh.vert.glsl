@@ -2,7 +2,14 @@
 // OUTPUT_INSTANCE: which instance it is, too.
 #include "lib/frame.glsl"
 
-layout(std430, binding = kInstanceBuffer) readonly buffer InstanceBuffer { InstanceData instances[]; };
+layout(binding = kInstanceUnit) uniform samplerBuffer instance_texels;
+
+InstanceData instance_at(uint index) {
+    int first = int(index) * 6;
+    return InstanceData(texelFetch(instance_texels, first), texelFetch(instance_texels, first + 1),
+                        texelFetch(instance_texels, first + 2), texelFetch(instance_texels, first + 3),
+                        texelFetch(instance_texels, first + 4), texelFetch(instance_texels, first + 5));
+}
 
 layout(location = kPositionAttribute) in vec3 position;
 layout(location = kNormalAttribute) in vec3 normal;
@@ -27,7 +34,7 @@ layout(location = 4) flat out uint out_instance;
 #endif
 
 void main() {
-    InstanceData i = instances[instance_index];
+    InstanceData i = instance_at(instance_index);
     // Both differences are of nearby numbers: exact, or nearly so, however far from the origin the camera is.
     vec3 translation = (vec3(i.axis_x.w, i.axis_y.w, i.axis_z.w) - frame.camera_high) +
                        (vec3(i.normal_x.w, i.normal_y.w, i.normal_z.w) - frame.camera_low);

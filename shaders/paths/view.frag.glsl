@@ -36,7 +36,7 @@ void main() {
     picture.rgb = sqrt(value.rgb);
 #elif defined(VIEW_LIGHTS)
     uint count = 0u;
-    for (uint i = frame.directional_count; i < frame.light_count; ++i) count += reaches(lights[i], s.position) ? 1u : 0u;
+    for (uint i = frame.directional_count; i < frame.light_count; ++i) count += reaches(light_at(i), s.position) ? 1u : 0u;
     value.rgb = vec3(float(count));
     picture.rgb = count == 0u ? vec3(0.0) : ramp(clamp(log2(float(count)) / 5.0, 0.0, 1.0));
 #endif

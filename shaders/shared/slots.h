@@ -9,13 +9,17 @@ namespace lightsweep::shared {
 
 LIGHTSWEEP_CONSTANT kFrameBlock = 0;      // uniform block: FrameData
 LIGHTSWEEP_CONSTANT kMaterialBlock = 1;   // uniform block: MaterialData of the draw
-LIGHTSWEEP_CONSTANT kInstanceBuffer = 0;  // storage: InstanceData[]
-LIGHTSWEEP_CONSTANT kLightBuffer = 1;     // storage: LightData[]
+
+LIGHTSWEEP_CONSTANT kLightGridBlock = 2;  // uniform block: LightGridData
 
 LIGHTSWEEP_CONSTANT kBaseColorUnit = 0;  // material textures
 LIGHTSWEEP_CONSTANT kMetallicRoughnessUnit = 1;
 LIGHTSWEEP_CONSTANT kNormalUnit = 2;
 LIGHTSWEEP_CONSTANT kEmissiveUnit = 3;
+LIGHTSWEEP_CONSTANT kLightUnit = 4;     // texel buffer: LightData, three RGBA32F texels each
+LIGHTSWEEP_CONSTANT kInstanceUnit = 5;  // texel buffer: InstanceData, six RGBA32F texels each
+LIGHTSWEEP_CONSTANT kLightCellUnit = 6;   // texel buffer: for each cell of the grid, offset and count (RG32UI)
+LIGHTSWEEP_CONSTANT kLightIndexUnit = 7;  // texel buffer: the cells' lights, as indices (R32UI)
 LIGHTSWEEP_CONSTANT kTargetUnit = 8;  // targets that a pass reads: kTargetUnit + i, in the order of Pass::reads
 
 LIGHTSWEEP_CONSTANT kPositionAttribute = 0;

@@ -64,7 +64,38 @@ struct LightData {
     float spot_offset;
 };
 
+// The grid of cells that lights are listed for: tiles of the screen, cut into slices of view distance z. Cell (x, y, s)
+// has the index (s * tiles_y + y) * tiles_x + x. Slice s holds floor(log2(z) * slice_scale + slice_offset) == s, the
+// first and the last one everything below and above.
+struct LightGridData {
+    uint tile_px;  // edge of a tile; tile (0, 0) is at the lower left
+    uint tiles_x;
+    uint tiles_y;
+    uint slices;  // 1: tiles alone
+    float slice_scale;
+    float slice_offset;
+    float tangent_per_px_x;  // the ray of pixel x has the slope x / z = x * tangent_per_px_x - tan_x
+    float tangent_per_px_y;
+    float tan_x;
+    float tan_y;
+    uint word_count;  // 32-bit words that hold one bit for each point and spot light
+    uint index_capacity;  // of the buffer of indices
+};
+
+// What a point or spot light reaches, in view space: x right, y up, z the view distance. Grown by what the position of a
+// surface may be off (light_bounds of renderer/frame), so that a light which reaches that position is never missed.
+struct LightBounds {
+    vec3 center;  // of a sphere around all of it
+    float radius;
+    vec3 apex;  // where the light is
+    float range;
+    vec3 axis;             // of a spot's cone, unit
+    float cos_half_angle;  // -1: no cone
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(LightGridData) == 48);
+static_assert(sizeof(LightBounds) == 48);
 static_assert(sizeof(FrameData) == 176);
 static_assert(sizeof(InstanceData) == 96);
 static_assert(sizeof(MaterialData) == 64);

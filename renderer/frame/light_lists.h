@@ -1,0 +1,50 @@
+// Lights by cell of a grid, built on the CPU. Pure functions: a frame in, lists out; no GL.
+#pragma once
+
+#include "renderer/frame/light_bounds.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lightsweep {
+
+/// What a path asks for.
+struct LightGridDesc {
+    int tile_px = 16;
+    bool slices = false;        ///< cells are cut along the view distance too: clusters
+    bool depth_bounds = false;  ///< cells end where the surfaces of their tile do; for tiles alone
+};
+
+/// The grid for one frame. Slices are about as deep as their tiles are wide and cover the distances that the lights
+/// reach inside [near, far], so the grid depends on the lights.
+shared::LightGridData make_light_grid(const LightGridDesc& desc, const FrameSetup& setup,
+                                      std::span<const shared::LightBounds> lights);
+
+inline size_t cell_count(const shared::LightGridData& grid) {
+    return size_t{grid.tiles_x} * grid.tiles_y * grid.slices;
+}
+
+/// The view distances of the surfaces that a tile shows; low > high: none.
+struct DepthRange {
+    float low, high;
+};
+
+/// One cell's part of LightLists::indices.
+struct CellList {
+    uint32_t offset = 0, count = 0;
+    bool operator==(const CellList&) const = default;
+};
+
+struct LightLists {
+    std::vector<CellList> cells;    ///< by cell index
+    std::vector<uint32_t> indices;  ///< indices into Frame::lights, rising within a cell
+};
+
+/// Each cell's lights are those whose bounds `light_touches_cell` (shaders/shared/light_cell.h). `tile_depths`: one for
+/// each tile, row by row from the lower left, for a grid without slices; or empty. `first_light` is added to each index.
+/// Reuses the memory of `lists`.
+void build_light_lists(const shared::LightGridData& grid, std::span<const shared::LightBounds> lights,
+                       std::span<const DepthRange> tile_depths, uint32_t first_light, LightLists& lists);
+
+}  // namespace lightsweep
