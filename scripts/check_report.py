@@ -109,6 +109,31 @@ def front_faults(pareto, error_of, floor_known, where):
         yield f"{where}/front", "is not in the order of time"
 
 
+def slow_faults(cell, where):
+    slow, lights = cell.get("too_slow_at_lights"), cell["params"]["lights"]
+    if slow is not None and (slow > lights or (cell["status"] == "timeout" and slow < lights)):
+        yield f"{where}/too_slow_at_lights", f"is {slow}, but the cell has {lights} lights"
+    if slow is not None and cell["samples"]["wall_ns"]:
+        yield f"{where}/samples", "are there, though the arm was too slow to sample"
+
+
+def work_faults(cell, where):
+    work = cell["work"] or {}
+    hits, evaluations, rate = (work.get(key) for key in ("light_hits", "light_evaluations", "false_positive_rate"))
+    if rate is not None and (not evaluations or hits is None or abs(1 - hits / evaluations - rate) > 1e-9):
+        yield f"{where}/work/false_positive_rate", f"is {rate}, but there are {hits} hits of {evaluations} evaluations"
+
+
+def fastest_faults(entry, where):
+    last = -1
+    for index, part in enumerate(entry["ranges"]):
+        if not last < part["from_lights"] <= part["to_lights"]:
+            yield f"{where}/ranges/{index}", "does not begin after the one before, or ends before it begins"
+        last = part["to_lights"]
+        if part["surely"] == bool(part["rivals"]):
+            yield f"{where}/ranges/{index}/surely", f"is {part['surely']}, with {len(part['rivals'])} rivals"
+
+
 def answer_faults(answer, group_of, where):
     named = [answer["arm"], answer["runner_up"], *answer["uncertain"]]
     if any(group_of.get(member) != answer["group"] for member in named if member is not None):
@@ -130,6 +155,8 @@ def invariant_faults(report):
     for index, cell in enumerate(cells):
         yield from sample_faults(cell, f"/cells/{index}")
         yield from lost_faults(cell, f"/cells/{index}")
+        yield from slow_faults(cell, f"/cells/{index}")
+        yield from work_faults(cell, f"/cells/{index}")
 
     group_of = {cell["id"]: cell["group"] for cell in cells}
     for index, pair in enumerate(report["pairs"]):
@@ -148,6 +175,8 @@ def invariant_faults(report):
             yield f"/pareto/{index}", "a cell is not of the group"
         else:
             yield from front_faults(pareto, error_of, report["noise"]["floor"] is not None, f"/pareto/{index}")
+    for index, entry in enumerate(report.get("fastest", [])):
+        yield from fastest_faults(entry, f"/fastest/{index}")
     for index, answer in enumerate(report["answers"]):
         yield from answer_faults(answer, group_of, f"/answers/{index}")
 

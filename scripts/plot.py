@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Draws a report: time over lights, ratio to forward, time per pass, time against error, field errors, FLIP maps.
+"""Draws a report: time and evaluations over lights, ratio to forward, time per pass, against error, field errors, FLIP maps.
 
-Usage: plot.py REPORT [--out DIR] [--error METRIC]      one figure each per scene; writes PNG and SVG (into the report's folder
-unless told) and prints their paths; what cannot be drawn is said on stderr. The maps are looked for in the report's folder.
+Usage: plot.py REPORT [--out DIR] [--error METRIC] [--lights N,...]      one figure each per scene; writes PNG and SVG (into the
+report's folder unless told) and prints their paths; what cannot be drawn is said on stderr. The maps are looked for in the report's
+folder.
 Exit code 2 on bad input. Debian: python3-matplotlib.
 """
 
@@ -35,7 +36,8 @@ def figures_of(arguments):
     return {
         "time_over_lights": over_lights.draw_time,
         "ratio_to_forward": over_lights.draw_ratio,
-        "time_per_pass": per_pass.draw,
+        "evaluations_over_lights": over_lights.draw_evaluations,
+        "time_per_pass": functools.partial(per_pass.draw, counts=arguments.lights),
         "time_against_error": functools.partial(time_error.draw, metric=arguments.error),
         "field_errors": field_errors.draw,
         "flip_maps": functools.partial(flip_maps.draw, folder=arguments.report.parent / "maps"),
@@ -58,12 +60,19 @@ def draw_all(report, figures, folder):
                 yield style.save(figure, folder, f"{name}_{words[scene]}"), None
 
 
+def light_counts(text):
+    """[1, 256] of '1,256'"""
+    return [int(word) for word in text.split(",")]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("report", type=pathlib.Path, metavar="REPORT")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="where the pictures go (default: beside the report)")
     parser.add_argument("--error", choices=time_error.METRICS, default="flip_mean",
                         help="of time_against_error: of display values against the reference (default: %(default)s)")
+    parser.add_argument("--lights", type=light_counts, default=[], metavar="N,...",
+                        help="of time_per_pass: at these light counts (default: the largest of each size)")
     arguments = parser.parse_args()
     folder = arguments.out or arguments.report.parent
     try:

@@ -1,9 +1,11 @@
 // lightsweep doctor: what this machine is, and what may be believed on it.
 #include "bench/cli/commands.h"
+#include "bench/cli/costs.h"
 #include "bench/cli/device_options.h"
 #include "bench/cli/table.h"
 #include "bench/measure/environment.h"
 #include "bench/measure/known_work.h"
+#include "bench/measure/list_probe.h"
 #include "bench/measure/rounding_probe.h"
 #include "bench/measure/self_test.h"
 #include "bench/report/pairs.h"
@@ -109,6 +111,21 @@ void print_doctor(const Json& json) {
                       fmt::format("{:.6g}", p.at("sum_of_4000_tenths").get<double>())});
     }
     fmt::print("{}\n", rounding.text());
+    const auto& lists = json.at("light_lists");
+    fmt::print("light lists: the faster builder is {} ({})\n\n", lists.at("faster").get<std::string>(),
+               lists.at("why").get<std::string>());
+    if (json.at("cost_model").is_null()) {
+        fmt::print(
+            "cost model of path=auto: none yet; `doctor --calibrate` or the first run that asks for it measures "
+            "one\n\n");
+    } else {
+        Table costs({"cost model of path=auto", "light search", "samples", "error of the fit (rms)"});
+        for (const auto& [path, cost] : json.at("cost_model").at("paths").items()) {
+            costs.add({path, cost.at("lights").get<std::string>(), std::to_string(cost.at("samples").get<int64_t>()),
+                       fmt::format("{:.1f} %", 100 * cost.at("fit_error").get<double>())});
+        }
+        fmt::print("{}\n", costs.text());
+    }
     Table limits({"limit", "value"});
     for (const auto& [name, value] : json.at("limits").items()) limits.add({name, value.dump()});
     fmt::print("{}", limits.text());
@@ -122,17 +139,20 @@ void print_doctor(const Json& json) {
 Command add_doctor(CLI::App& app) {
     struct Options {
         DeviceOptions device;
-        bool json = false;
+        bool json = false, calibrate = false;
     };
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("doctor", "devices, limits, timer self-test, noise floor, rounding probes");
+    CLI::App* command =
+        app.add_subcommand("doctor", "devices, limits, timer self-test, noise floor, rounding and light list probes");
     options->device.add(*command);
     command->add_flag("--json", options->json, "for programs");
+    command->add_flag("--calibrate", options->calibrate, "measure the cost model of path=auto anew; about a minute");
     return [options] {
         Json json;
         json["devices"] = devices_json();
         const auto context = options->device.make_context();
-        json["environment"] = to_json(read_environment(*context));
+        const Environment environment = read_environment(*context);
+        json["environment"] = to_json(environment);
         for (const auto& [name, value] : gl::named_limits(context->limits())) json["limits"][std::string(name)] = value;
         // The table is wanted most where no timer is accepted; the noise is then measured with the clock.
         auto methods = test_timers(all_timers());
@@ -142,6 +162,9 @@ Command add_doctor(CLI::App& app) {
         json["timer"]["trusted"] = trusted;
         json["noise"] = noise_json(timer.method);
         json["rounding"] = rounding_json();
+        json["light_lists"] = to_json(probe_light_lists());
+        const auto costs = options->calibrate ? measure_costs(environment) : find_cost_model(environment);
+        json["cost_model"] = costs ? to_json(*costs) : Json(nullptr);
         if (options->json) {
             fmt::print("{}\n", report_text(json));
         } else {

@@ -2,6 +2,7 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/device_options.h"
 #include "bench/measure/arm.h"
+#include "bench/measure/list_probe.h"
 #include "bench/measure/scene_store.h"
 #include "bench/plan/axes.h"
 #include "renderer/base/error.h"
@@ -21,14 +22,19 @@ namespace {
 struct Options {
     DeviceOptions device;
     std::string scene = "atrium", path = "deferred", layout = "oct32", lights = "default", size = "1280x720";
-    std::string overlap = "scene", hdr = "rgba16f", view = "final", output;
+    std::string overlap = "scene", light_lists = "cpu", hdr = "rgba16f", view = "final", output;
 };
 
 CellParams parse_options(const Options& options) {
     CellParams cell;
-    const std::pair<const char*, const std::string*> fields[] = {
-        {"scene", &options.scene}, {"lights", &options.lights}, {"size", &options.size}, {"overlap", &options.overlap},
-        {"path", &options.path},   {"layout", &options.layout}, {"hdr", &options.hdr}};
+    const std::pair<const char*, const std::string*> fields[] = {{"scene", &options.scene},
+                                                                 {"lights", &options.lights},
+                                                                 {"size", &options.size},
+                                                                 {"overlap", &options.overlap},
+                                                                 {"path", &options.path},
+                                                                 {"layout", &options.layout},
+                                                                 {"light_lists", &options.light_lists},
+                                                                 {"hdr", &options.hdr}};
     for (const auto& [name, value] : fields) set_cell_field(cell, find_cell_field(name), *value);
     const auto& views = view_names();
     if (std::find(views.begin(), views.end(), options.view) == views.end()) {
@@ -39,6 +45,7 @@ CellParams parse_options(const Options& options) {
         throw InputError(options.output, "the picture's name must end in .png or .exr");
     }
     if (!find_path(cell.path).uses_layout) cell.layout.clear();
+    if (!find_path(cell.path).uses_light_lists) cell.light_lists.clear();
     return cell;
 }
 
@@ -64,17 +71,22 @@ Command add_render(CLI::App& app) {
     command->add_option("--lights", options->lights, "light count, or default")->capture_default_str();
     command->add_option("--overlap", options->overlap, "scene, fixed, or lights per point")->capture_default_str();
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
+    command->add_option("--light-lists", options->light_lists, "who builds them: cpu, compute or auto")
+        ->capture_default_str();
     command->add_option("--hdr", options->hdr, "format of the HDR target")->capture_default_str();
     command->add_option("--view", options->view, "final, or a buffer (lightsweep list views)")->capture_default_str();
     command->add_option("-o,--output", options->output, "image.png (display values) or image.exr (linear values)")
         ->required();
     return [options] {
-        const CellParams cell = parse_options(*options);
+        CellParams cell = parse_options(*options);
         SceneStore scenes;
         const Scene& scene = scenes.scene(cell.scene);
         auto lights = make_lights(scene, cell.lights.value_or(scene.lights.default_count),
                                   {cell.overlap.value_or(scene.lights.default_overlap)});
         const auto context = options->device.make_context();
+        if (cell.light_lists == kAutoLightLists) {
+            cell.light_lists = list_builder_names()[static_cast<size_t>(probe_light_lists().faster())];
+        }
         FrameBuffers buffers;
         const DrawShapes shapes;
         const Subject subject{scenes.gpu_scene(cell.scene), std::move(lights), cell.width, cell.height};

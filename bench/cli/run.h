@@ -14,7 +14,7 @@ struct RunOptions {
     DeviceOptions device;
     std::string sweep = "default";
     std::vector<std::string> axes;
-    std::string out, time_budget, target_ci, filter, shard = "1/1", timer, max_error, max_time;
+    std::string out, time_budget, target_ci, max_frame, filter, shard = "1/1", timer, max_error, max_time;
     int64_t seed = 0;
     bool maps = false, resume = false, dry_run = false, allow_debug = false;
 };

@@ -1,6 +1,7 @@
 #include "bench/cli/summary.h"
 
 #include "bench/cli/table.h"
+#include "bench/report/pairs.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,23 @@ std::string number_text(const Json& value, const char* format) {
 std::string arm_text(const Json& arm) {
     std::string text = arm.at("path").get<std::string>();
     if (!arm.at("layout").is_null()) text += "/" + arm.at("layout").get<std::string>();
+    if (!arm.at("light_lists").is_null()) text += "/" + arm.at("light_lists").get<std::string>();
     return text + "/" + arm.at("hdr").get<std::string>();
+}
+
+// `cpu (auto)`: what was asked, where it is not what was used.
+std::string lists_text(const Json& choice) {
+    if (choice.is_null()) return "";
+    const auto asked = choice.at("asked").get<std::string>(), used = choice.at("used").get<std::string>();
+    return asked == used ? used : fmt::format("{} ({})", used, asked);
+}
+
+std::string size_text(const Json& params) {
+    return fmt::format("{}x{}", params.at("width_px").get<int>(), params.at("height_px").get<int>());
+}
+
+std::string overlap_text(const Json& view) {
+    return view.at("overlap").is_null() ? "fixed" : view.at("overlap").dump();
 }
 
 int64_t lost_px(const Json& cell) {
@@ -49,7 +66,7 @@ std::vector<std::string> error_columns(const Json& error) {
 
 // What all cells share is said once, above the table, which then fits a terminal.
 std::string cell_table(const Json& report) {
-    const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "hdr"};
+    const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "lists", "hdr"};
     const bool any_lost = std::ranges::any_of(report.at("cells"), [](const Json& cell) { return lost_px(cell) > 0; });
     std::vector<std::vector<std::string>> rows;
     for (const auto& cell : report.at("cells")) {
@@ -58,9 +75,10 @@ std::string cell_table(const Json& report) {
         const auto& wall = cell.at("statistics").at("wall_ns");
         std::vector<std::string> row{p.at("scene").get<std::string>(),
                                      p.at("lights").dump(),
-                                     fmt::format("{}x{}", p.at("width_px").get<int>(), p.at("height_px").get<int>()),
+                                     size_text(p),
                                      p.at("path").get<std::string>(),
                                      p.at("layout").is_null() ? "" : p.at("layout").get<std::string>(),
+                                     lists_text(cell.at("light_lists")),
                                      p.at("hdr").get<std::string>(),
                                      time_text(wall.at("median").get<double>()),
                                      interval_text(wall)};
@@ -69,8 +87,8 @@ std::string cell_table(const Json& report) {
         row.push_back(cell.at("work").at("target_bytes_per_px").dump());
         rows.push_back(std::move(row));
     }
-    std::vector<std::string> header{"scene", "lights", "size", "path", "layout", "hdr",
-                                    "time",  "95 %",   "FLIP", "RMSE", "normal", "packing"};
+    std::vector<std::string> header = names;
+    header.insert(header.end(), {"time", "95 %", "FLIP", "RMSE", "normal", "packing"});
     if (any_lost) header.emplace_back("lost");
     header.emplace_back("B/px");
     std::string shared;
@@ -91,16 +109,39 @@ std::string cell_table(const Json& report) {
                      : "");
 }
 
+std::string rivals_text(const Json& rivals) {
+    constexpr size_t kMostShown = 3;
+    std::string text = rivals.empty() ? "surely" : "perhaps ";
+    for (size_t i = 0; i < std::min(rivals.size(), kMostShown); ++i) {
+        text += (i == 0 ? "" : ", ") + rivals[i].at("path").get<std::string>();
+    }
+    if (rivals.size() > kMostShown) text += fmt::format(" and {} more", rivals.size() - kMostShown);
+    return text;
+}
+
+std::string fastest_text(const Json& report) {
+    Table table({"scene", "size", "overlap", "lights", "fastest", "surely, or perhaps"});
+    for (const auto& entry : report.at("fastest")) {
+        for (const auto& range : entry.at("ranges")) {
+            const int from = range.at("from_lights").get<int>(), to = range.at("to_lights").get<int>();
+            table.add({entry.at("scene").get<std::string>(), size_text(entry), overlap_text(entry),
+                       from == to ? std::to_string(from) : fmt::format("{} - {}", from, to), arm_text(range.at("arm")),
+                       rivals_text(range.at("rivals"))});
+        }
+    }
+    return table.size() == 0 ? "" : "\nfastest\n" + table.text();
+}
+
+// Those against forward, and those where the fastest arm changes; the report has more.
 std::string crossover_text(const Json& report) {
     Table table({"scene", "size", "overlap", "path", "against", "lights", "95 % interval, or why none"});
     const auto end_text = [](const Json& end) {
         return end.is_null() ? std::string("?") : fmt::format("{:.1f}", end.get<double>());
     };
     for (const auto& c : report.at("crossovers")) {
+        if (c.at("b").at("path") != kBaselinePath && !c.at("on_envelope").get<bool>()) continue;
         const bool found = !c.at("lights").is_null();
-        table.add({c.at("scene").get<std::string>(),
-                   fmt::format("{}x{}", c.at("width_px").get<int>(), c.at("height_px").get<int>()),
-                   c.at("overlap").is_null() ? "fixed" : c.at("overlap").dump(), arm_text(c.at("a")),
+        table.add({c.at("scene").get<std::string>(), size_text(c), overlap_text(c), arm_text(c.at("a")),
                    arm_text(c.at("b")), found ? fmt::format("{:.1f}", c.at("lights").get<double>()) : "none",
                    found ? fmt::format("[{}, {}]", end_text(c.at("low")), end_text(c.at("high")))
                          : c.at("reason").get<std::string>()});
@@ -108,12 +149,21 @@ std::string crossover_text(const Json& report) {
     return table.size() == 0 ? "" : "\ncrossovers (the light count where both take the same time)\n" + table.text();
 }
 
+// A line for each, but one for all that were not drawn since their arm was too slow already.
 std::string failures_text(const Json& report) {
     std::string text;
+    int too_slow = 0, not_drawn = 0;
     for (const auto& cell : report.at("cells")) {
         if (cell.at("status") == "ok") continue;
+        const bool asked_for = !cell.at("too_slow_at_lights").is_null();
+        if (asked_for) ++(cell.at("status") == "timeout" ? too_slow : not_drawn);
+        if (asked_for && cell.at("status") != "timeout") continue;
         text += fmt::format("  {}: {}: {}\n", cell.at("name").get<std::string>(), cell.at("status").get<std::string>(),
                             cell.at("reason").get<std::string>());
+    }
+    if (too_slow + not_drawn > 0) {
+        text += fmt::format("  {} cells were too slow to sample; {} with as many lights or more were not drawn\n",
+                            too_slow, not_drawn);
     }
     return text.empty() ? "" : "\nnot measured\n" + text;
 }
@@ -121,7 +171,7 @@ std::string failures_text(const Json& report) {
 }  // namespace
 
 std::string summary_text(const Json& report) {
-    std::string text = cell_table(report) + crossover_text(report) + failures_text(report);
+    std::string text = cell_table(report) + fastest_text(report) + crossover_text(report) + failures_text(report);
     const auto& run = report.at("run");
     text += fmt::format("\ntimer: {}; ", report.at("timer").at("method").get<std::string>());
     const auto& floor = report.at("noise").at("floor");

@@ -29,16 +29,19 @@ struct FrameSample {
 
 /// The HDR formats by the names of CellParams::hdr.
 gl::Format hdr_format(const std::string& name);
+/// The builders by the names of CellParams::light_lists, without auto.
+ListBuilder list_builder(const std::string& name);
 
 class Arm {
   public:
-    /// Throws InputError (a layout that lacks a field the scene needs), EnvironmentError (the device refuses), or
-    /// std::runtime_error (a shader does not compile).
+    /// `cell.light_lists`: none or the one to use, not auto. Throws InputError (a layout that lacks a field the scene
+    /// needs), EnvironmentError (the device refuses), or std::runtime_error (a shader does not compile).
     Arm(const CellParams& cell, const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes);
     /// The same for a path and setup made by the caller (views).
     Arm(Path path, PathSetup setup, const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes);
 
-    /// One frame, built, drawn, finished and timed.
+    /// One frame, built, drawn, finished and timed. One whose light lists were cut short does not count: another is
+    /// drawn.
     FrameSample sample(FrameTimer& timer);
     /// One frame, not timed.
     void draw();

@@ -1,9 +1,14 @@
 #include "bench/measure/group_runner.h"
 
+#include "bench/measure/calibrate.h"
+#include "bench/measure/light_hits.h"
+#include "bench/measure/list_probe.h"
 #include "bench/stats/quantile.h"
 #include "bench/stats/schedule.h"
 #include "renderer/base/error.h"
+#include "renderer/base/hash.h"
 #include "renderer/gl/context.h"
+#include "renderer/paths/paths.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +23,9 @@ constexpr double kNsToS = 1e-9;
 constexpr double kWarmUpSeconds = 0.05;
 constexpr double kOverrun = 1.5;  // of the time for a group, before its smallest number of rounds is given up
 constexpr int kFewestRounds = 2;
+// A first frame compiles shaders too: one over the limit is judged by a second one, unless it is so far over it.
+constexpr double kSurelyTooSlow = 3.0;
+constexpr size_t kMostLightsOfPlainControl = 256;
 
 double seconds_since(int64_t start_ns) { return static_cast<double>(now_ns() - start_ns) * kNsToS; }
 
@@ -33,7 +41,7 @@ CellResult new_cell(const CellParams& params, const Scene& scene, size_t light_c
     return cell;
 }
 
-CellWork cell_work(Arm& arm, const Subject& subject) {
+CellWork cell_work(const Arm& arm, const Subject& subject) {
     const FrameWork& work = arm.frame().work;
     CellWork result;
     result.draws = static_cast<int64_t>(work.draws);
@@ -42,11 +50,23 @@ CellWork cell_work(Arm& arm, const Subject& subject) {
     result.instances_culled = static_cast<int64_t>(work.instances_culled);
     result.lights_drawn = static_cast<int64_t>(work.lights_drawn);
     result.lights_culled = static_cast<int64_t>(work.lights_culled);
-    result.light_evaluations = static_cast<int64_t>(arm.count_light_evaluations());
     result.gbuffer_bytes_per_px = arm.setup().layout.targets.empty() ? 0 : arm.setup().layout.bytes_per_pixel();
     result.target_bytes_per_px = arm.path().bytes_per_pixel();
+    result.moved_bytes_per_px = arm.path().moved_bytes_per_pixel();
     result.memory_bytes = static_cast<int64_t>(arm.path().memory_bytes() + subject.scene.memory_bytes());
     return result;
+}
+
+// Draws another frame.
+void count_lights(Arm& arm, std::optional<int64_t> light_hits, CellWork& work) {
+    const auto evaluations = static_cast<int64_t>(arm.count_light_evaluations());
+    work.light_evaluations = evaluations;
+    if (light_hits && evaluations > 0) {
+        work.false_positive_rate = 1.0 - static_cast<double>(*light_hits) / static_cast<double>(evaluations);
+    }
+    if (const LightListService* lists = arm.path().light_lists()) {
+        work.list_entries = static_cast<int64_t>(lists->read().indices.size());
+    }
 }
 
 void append(const FrameSample& sample, int64_t round, const std::vector<std::string>& pass_names, Samples& samples) {
@@ -97,19 +117,31 @@ struct GroupRunner::Slot {
 struct GroupRunner::Truth {
     std::optional<Picture> control;
     std::optional<Reference> reference;
+    std::optional<int64_t> light_hits;
     std::vector<std::string> failures;
+    std::map<uint64_t, CellError> errors_of_picture;  // by a hash of its texels: many paths give the very same picture
 };
 
-CellParams control_cell(const CellParams& any_cell_of_group) {
+CellParams control_cell(const CellParams& any_cell_of_group, size_t light_count) {
+    const bool plain = light_count <= kMostLightsOfPlainControl;
     CellParams control = any_cell_of_group;
-    control.path = "deferred";
+    control.path = plain ? "deferred" : "deferred_clustered";
     control.layout = "float32";
+    control.light_lists = plain ? "" : "cpu";
     control.hdr = "rgba32f";
     return control;
 }
 
 GroupRunner::GroupRunner(SceneStore& scenes, std::string timer_method, const std::atomic<bool>& interrupted)
     : scenes_(&scenes), interrupted_(&interrupted), timer_(make_frame_timer(timer_method)) {}
+
+void GroupRunner::remember(const GroupResult& group) {
+    slow_arms_.remember(group);
+    for (const auto& cell : group.cells) {
+        const bool chosen = cell.light_lists && cell.light_lists->asked == kAutoLightLists;
+        if (chosen && !auto_light_lists_) auto_light_lists_ = cell.light_lists;
+    }
+}
 
 FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
     const FrameSample sample = arm.sample(*timer_);
@@ -119,7 +151,7 @@ FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
 
 Picture GroupRunner::draw_control(const CellParams& cell, const Subject& subject, GroupResult& result) {
     const int64_t start = now_ns();
-    Arm arm(control_cell(cell), subject, buffers_, shapes_);
+    Arm arm(control_cell(cell, subject.lights.size()), subject, buffers_, shapes_);
     arm.draw();
     result.frames_s += seconds_since(start);
     return picture_of(arm.hdr_image());
@@ -135,6 +167,7 @@ GroupRunner::Truth GroupRunner::find_truth(const CellParams& cell, const Subject
     try {
         references_.look_at(subject, buffers_, shapes_);
         truth.reference = references_.reference(subject);
+        truth.light_hits = count_light_hits(references_.surfaces(), subject.lights, subject.scene.scene().camera.eye);
         const auto subpixel_bits = static_cast<int>(gl::Context::current()->limits().subpixel_bits);
         GroupReference& record = result.reference.emplace();
         record.key = truth.reference->key;
@@ -155,19 +188,60 @@ GroupRunner::Truth GroupRunner::find_truth(const CellParams& cell, const Subject
     return truth;
 }
 
-// Makes an arm ready: compiled, its work counted, its caches warm.
-std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subject& subject, GroupResult& result,
-                                          CellResult& cell) {
+CellParams GroupRunner::resolve(const CellParams& params, const Subject& subject, CellResult& cell) {
+    CellParams drawn = params;
+    if (params.path == kAutoPath) {
+        if (!costs_) throw InputError("path=auto", "no cost model; `lightsweep doctor --calibrate` measures one");
+        cell.auto_path = choose_path(*costs_, cost_features(subject));
+        drawn.path = cell.auto_path->path;
+        const PathInfo& info = find_path(drawn.path);
+        if (!info.uses_layout) drawn.layout.clear();
+        if (!info.uses_light_lists) {
+            drawn.light_lists.clear();
+            return drawn;
+        }
+    }
+    if (params.light_lists == kAutoLightLists) {
+        if (!auto_light_lists_) {
+            const ListProbe probe = probe_light_lists();
+            const std::string& used = list_builder_names()[static_cast<size_t>(probe.faster())];
+            auto_light_lists_ = ListChoice{.asked = kAutoLightLists, .used = used, .why = probe.why()};
+        }
+        cell.light_lists = auto_light_lists_;
+        drawn.light_lists = auto_light_lists_->used;
+    } else if (!params.light_lists.empty()) {
+        cell.light_lists = ListChoice{.asked = params.light_lists, .used = params.light_lists, .why = "asked for"};
+    }
+    return drawn;
+}
+
+// Makes an arm ready: compiled, its work counted, its caches warm. One that is too slow is drawn and no more: the cell
+// says so.
+std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subject& subject, const SamplingRules& rules,
+                                          GroupResult& result, CellResult& cell) {
+    const CellParams drawn = resolve(params, subject, cell);
     const int64_t start = now_ns();
-    auto arm = std::make_unique<Arm>(params, subject, buffers_, shapes_);
-    arm->sample(*timer_);
+    auto arm = std::make_unique<Arm>(drawn, subject, buffers_, shapes_);
+    double frame_s = static_cast<double>(arm->sample(*timer_).wall_ns) * kNsToS;
     cell.first_frame_ns = now_ns() - start;
     result.frames_s += seconds_since(start);
     cell.work = cell_work(*arm, subject);
-    const int64_t warm_start = now_ns();
-    while (seconds_since(warm_start) < kWarmUpSeconds) take(*arm, result);
-    gl::Context::current()->throw_on_debug_errors(cell.name);
+    if (frame_s > rules.max_frame_s && frame_s <= kSurelyTooSlow * rules.max_frame_s) {
+        frame_s = static_cast<double>(take(*arm, result).wall_ns) * kNsToS;
+    }
+    if (frame_s > rules.max_frame_s) {
+        cell.status = CellStatus::timeout;
+        cell.reason = fmt::format("a frame takes {:.3g} s, more than the {:g} s allowed", frame_s, rules.max_frame_s);
+        cell.too_slow_at_lights = cell.params.lights;
+    }
     return arm;
+}
+
+// What is left to do before sampling.
+void GroupRunner::settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell) {
+    const int64_t start = now_ns();
+    count_lights(arm, truth.light_hits, *cell.work);
+    while (seconds_since(start) < kWarmUpSeconds) take(arm, result);
 }
 
 const LayoutError& GroupRunner::layout_error_of(const CellParams& params, const Arm& arm, const Subject& subject) {
@@ -183,9 +257,12 @@ const LayoutError& GroupRunner::layout_error_of(const CellParams& params, const 
     return found->second;
 }
 
-CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const Truth& truth,
-                                  const SamplingRules& rules, CellResult& cell) {
-    const Picture picture = picture_of(arm.hdr_image());
+CellError GroupRunner::picture_errors(const Image& hdr, Truth& truth, const SamplingRules& rules, CellResult& cell) {
+    const uint64_t hash =
+        hash_bytes({reinterpret_cast<const char*>(hdr.rgb.data()), hdr.rgb.size() * sizeof(hdr.rgb[0])});
+    const auto known = truth.errors_of_picture.find(hash);
+    if (known != truth.errors_of_picture.end() && rules.maps_folder.empty()) return known->second;
+    const Picture picture = picture_of(hdr);
     CellError error;
     if (truth.control) error.control = picture_error(*truth.control, picture, HdrFlip::leave_out);
     if (!truth.reference) return error;
@@ -204,7 +281,15 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
             cell.warnings.push_back(std::string("no FLIP map: ") + failure.what());
         }
     }
-    if (!cell.params.layout.empty()) {
+    truth.errors_of_picture[hash] = error;
+    return error;
+}
+
+CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, Truth& truth, const SamplingRules& rules,
+                                  CellResult& cell) {
+    CellError error = picture_errors(arm.hdr_image(), truth, rules, cell);
+    if (!truth.reference) return error;
+    if (!arm.setup().layout.targets.empty()) {
         try {
             const LayoutError& layout = layout_error_of(cell.params, arm, subject);
             error.fields = layout.fields;
@@ -218,20 +303,36 @@ CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, const 
 
 void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, const SamplingRules& rules,
                           GroupResult& result, std::vector<Slot>& slots) {
-    const Truth truth = find_truth(group.cells.front(), subject, result);
+    std::optional<Truth> truth;  // once a cell is drawn
     for (const auto& params : group.cells) {
         CellResult cell = new_cell(params, subject.scene.scene(), subject.lights.size());
+        if (const auto slow = slow_arms_.find(cell.params)) {
+            cell.status = CellStatus::skipped;
+            cell.reason = slow->reason;
+            cell.too_slow_at_lights = slow->lights;
+            result.cells.push_back(std::move(cell));
+            continue;
+        }
+        if (!truth) truth = find_truth(params, subject, result);
         const auto fail = [&](CellStatus status, const std::string& reason) {
             cell.status = status;
             cell.reason = reason;
+            cell.too_slow_at_lights.reset();
             cell.work.reset();
             cell.error.reset();
         };
         try {
-            auto arm = warm_up(params, subject, result, cell);
-            cell.error = cell_error(*arm, subject, truth, rules, cell);
-            cell.warnings.insert(cell.warnings.end(), truth.failures.begin(), truth.failures.end());
-            slots.push_back({.arm = arm.get(), .cell = result.cells.size(), .twin = false, .owned = std::move(arm)});
+            auto arm = warm_up(params, subject, rules, result, cell);
+            cell.error = cell_error(*arm, subject, *truth, rules, cell);
+            cell.warnings.insert(cell.warnings.end(), truth->failures.begin(), truth->failures.end());
+            cell.work->light_hits = truth->light_hits;
+            const bool fast_enough = cell.status == CellStatus::ok;
+            if (fast_enough) settle(*arm, *truth, result, cell);
+            gl::Context::current()->throw_on_debug_errors(cell.name);
+            if (fast_enough) {
+                slots.push_back(
+                    {.arm = arm.get(), .cell = result.cells.size(), .twin = false, .owned = std::move(arm)});
+            }
         } catch (const InputError& error) {
             fail(CellStatus::invalid, error.what());
         } catch (const EnvironmentError& error) {
@@ -240,6 +341,7 @@ void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, const 
             fail(CellStatus::error, error.what());
         }
         result.cells.push_back(std::move(cell));
+        if (*interrupted_) break;
     }
     if (slots.empty()) return;
     slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
@@ -247,6 +349,7 @@ void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, const 
 
 std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
                                        std::vector<Slot>& slots, const GroupProgress& progress) {
+    const int64_t sampling_start_ns = now_ns();
     for (int round = 0;; ++round) {
         for (const size_t s : schedule(slots.size(), static_cast<size_t>(round))) {
             if (*interrupted_) return "interrupted";
@@ -262,7 +365,8 @@ std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start
         const double elapsed = seconds_since(start_ns);
         const int done = round + 1;
         progress(std::max(elapsed / rules.seconds, static_cast<double>(done) / rules.max_rounds));
-        if (elapsed >= kOverrun * rules.seconds && done >= kFewestRounds) return "budget";
+        const double next_round = seconds_since(sampling_start_ns) / done;
+        if (elapsed + next_round > kOverrun * rules.seconds && done >= kFewestRounds) return "budget";
         if (done < rules.min_rounds) continue;
         const bool all_tight = std::all_of(slots.begin(), slots.end(), [&](const Slot& slot) {
             return slot.twin || tight(result.cells[slot.cell].samples.wall_ns, rules.target_ci);
@@ -288,6 +392,7 @@ GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules,
                           .height = first.height};
     std::vector<Slot> slots;
     prepare(group, subject, rules, result, slots);
+    remember(result);
     if (slots.empty()) return result;
     result.noise = NoiseTwin{.arm = result.cells[slots.front().cell].name, .round = {}, .wall_ns = {}};
     const std::string stop_reason = sample_rounds(rules, start_ns, result, slots, progress);

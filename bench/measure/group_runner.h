@@ -4,8 +4,10 @@
 
 #include "bench/measure/arm.h"
 #include "bench/measure/cell_error.h"
+#include "bench/measure/cost_model.h"
 #include "bench/measure/reference_store.h"
 #include "bench/measure/scene_store.h"
+#include "bench/measure/slow_arms.h"
 #include "bench/plan/plan.h"
 #include "bench/report/record.h"
 
@@ -23,6 +25,8 @@ struct SamplingRules {
     double target_ci = 0.02;  ///< stop when every arm's median is known to this half width (fraction)
     int min_rounds = 6;       ///< below this a median has no interval
     int max_rounds = 400;
+    double max_frame_s =
+        1e9;  ///< an arm whose frame takes longer is drawn once, not sampled, and not drawn with more lights
     std::filesystem::path
         maps_folder{};  ///< where each cell's FLIP map goes, as <id>.png (16-bit grey); empty: nowhere
 };
@@ -33,6 +37,13 @@ using GroupProgress = std::function<void(double fraction)>;
 class GroupRunner {
   public:
     GroupRunner(SceneStore& scenes, std::string timer_method, const std::atomic<bool>& interrupted);
+
+    /// What path=auto decides by. Without it a cell that asks for it is invalid.
+    void know_costs(CostModel costs) { costs_ = std::move(costs); }
+
+    /// A group of this run that was measured before: its slow arms and what `auto` came to hold from here on. Those
+    /// that run() returns are known already.
+    void remember(const GroupResult& group);
 
     /// A cell that cannot be measured is recorded with its reason and the rest goes on. Throws InputError when the
     /// scene cannot be loaded. When `interrupted` becomes true it returns early: the result is not a finished group.
@@ -45,9 +56,13 @@ class GroupRunner {
     Truth find_truth(const CellParams& cell, const Subject& subject, GroupResult& result);
     void prepare(const PlanGroup& group, const Subject& subject, const SamplingRules& rules, GroupResult& result,
                  std::vector<Slot>& slots);
-    std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, GroupResult& result,
-                                 CellResult& cell);
-    CellError cell_error(const Arm& arm, const Subject& subject, const Truth& truth, const SamplingRules& rules,
+    /// The cell as it is drawn, with nothing left to choose; says in `cell` what was chosen.
+    CellParams resolve(const CellParams& params, const Subject& subject, CellResult& cell);
+    std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, const SamplingRules& rules,
+                                 GroupResult& result, CellResult& cell);
+    void settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell);
+    CellError picture_errors(const Image& hdr, Truth& truth, const SamplingRules& rules, CellResult& cell);
+    CellError cell_error(const Arm& arm, const Subject& subject, Truth& truth, const SamplingRules& rules,
                          CellResult& cell);
     const LayoutError& layout_error_of(const CellParams& params, const Arm& arm, const Subject& subject);
     std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
@@ -60,10 +75,14 @@ class GroupRunner {
     FrameBuffers buffers_;
     DrawShapes shapes_;
     ReferenceStore references_;
+    SlowArms slow_arms_;
+    std::optional<CostModel> costs_;
+    std::optional<ListChoice> auto_light_lists_;        ///< once it was asked for
     std::map<std::string, LayoutError> layout_errors_;  ///< by scene, size and layout: lights change nothing here
 };
 
 /// The control arm of a group: nothing packed. What its cells' pictures differ from this one's is the packing's doing.
-CellParams control_cell(const CellParams& any_cell_of_group);
+/// With many lights it takes the listed ones alone, which gives the same picture sooner.
+CellParams control_cell(const CellParams& any_cell_of_group, size_t light_count);
 
 }  // namespace lightsweep

@@ -118,6 +118,7 @@ int run(const Options& options, char* program) {
     cells.add(options.repetitions > 0 ? 0 : kRepetitions);
     add_cpu_stages();
     add_reference_stages();
+    add_light_list_stages();
     add_frame_stages();
     const auto selected = selected_names(program, options.filter);
     if (options.list) {

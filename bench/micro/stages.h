@@ -13,6 +13,9 @@ void add_cpu_stages();
 /// No GL context either.
 void add_reference_stages();
 
+/// Culling lights, and listing them for tiles and clusters. No GL context either.
+void add_light_list_stages();
+
 /// Building a frame (culling) and uploading it. They need a current context, since a scene is culled where it was
 /// uploaded.
 void add_frame_stages();

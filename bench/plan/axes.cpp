@@ -56,7 +56,7 @@ void check_file_or_key(const CellField& axis, const std::string& value, const st
 void check_exists(const CellField& axis, const std::string& value, const Catalog& catalog) {
     if (axis.name == "scene") check_file_or_key(axis, value, catalog.scenes, "scenes", {".json", ".gltf", ".glb"});
     if (axis.name == "layout") check_file_or_key(axis, value, catalog.layouts, "shaders/gbuffer/layouts", {".json"});
-    if (axis.name == "path") {
+    if (axis.name == "path" && value != kAutoPath) {
         const auto keys = path_keys(catalog);
         if (std::find(keys.begin(), keys.end(), value) == keys.end()) {
             throw InputError("path=" + value, unknown_name("path", value, keys));
@@ -69,6 +69,7 @@ std::vector<std::string> every_value(const CellField& axis, const Catalog& catal
     if (axis.name == "scene") return catalog.scenes;
     if (axis.name == "path") return path_keys(catalog);
     if (axis.name == "layout") return catalog.layouts;
+    if (axis.name == "light_lists") return {kLightListBuilders.begin() + 1, kLightListBuilders.end()};
     if (axis.name == "hdr") return kHdrFormats;
     return {};
 }
@@ -97,10 +98,13 @@ std::vector<std::string> expand_all(const CellField& axis, const std::vector<std
 
 }  // namespace
 
-bool Catalog::uses_layout(const std::string& path) const {
+bool Catalog::uses(const std::string& path, const CellField& axis) const {
+    if (path == kAutoPath) return true;
     const auto found = std::find_if(paths.begin(), paths.end(), [&](const PathName& p) { return p.key == path; });
     CHECK_THAT(found != paths.end(), "path = {}", path);
-    return found->uses_layout;
+    if (axis.name == "layout") return found->uses_layout;
+    if (axis.name == "light_lists") return found->uses_light_lists;
+    return true;
 }
 
 Catalog shipped_catalog(std::vector<PathName> paths) {
@@ -146,8 +150,10 @@ AxisValues parse_axis_arguments(const std::vector<std::string>& arguments, const
 
 std::vector<std::string> default_axis_values(const CellField& axis, const Catalog& catalog) {
     static const std::map<std::string, std::string> otherwise{
-        {"lights", "default"}, {"size", "640x360"}, {"overlap", "scene"},
-        {"path", "*"},         {"layout", "oct32"}, {"hdr", kHdrFormats.front()},
+        {"lights", "default"},        {"size", "640x360"},
+        {"overlap", "scene"},         {"path", "*"},
+        {"layout", "oct32"},          {"light_lists", kAutoLightLists},
+        {"hdr", kHdrFormats.front()},
     };
     const auto found = otherwise.find(axis.name);
     if (found == otherwise.end())

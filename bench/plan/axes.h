@@ -18,6 +18,7 @@ class JsonReader;
 struct PathName {
     std::string key;
     bool uses_layout = false;
+    bool uses_light_lists = false;
 };
 
 /// The names that `*` stands for and that a value is checked against.
@@ -26,8 +27,9 @@ struct Catalog {
     std::vector<std::string> layouts;
     std::vector<std::string> scenes;
 
-    /// False for paths that ignore the layout axis. `path` must be in the catalog.
-    bool uses_layout(const std::string& path) const;
+    /// False for an axis that the path ignores: layout, or light_lists, of a path without. `path` must be in the
+    /// catalog.
+    bool uses(const std::string& path, const CellField& axis) const;
 };
 
 /// The given paths with the layouts and scenes in the program's own folders.

@@ -13,6 +13,7 @@
 namespace lightsweep {
 
 const std::vector<std::string> kHdrFormats{"rgba16f", "rgba32f", "r11g11b10f"};
+const std::vector<std::string> kLightListBuilders{kAutoLightLists, "cpu", "compute"};
 
 namespace {
 
@@ -69,9 +70,9 @@ bool set_overlap(CellParams& cell, const std::string& value) {
     return true;
 }
 
-bool set_hdr(CellParams& cell, const std::string& value) {
-    if (std::find(kHdrFormats.begin(), kHdrFormats.end(), value) == kHdrFormats.end()) return false;
-    cell.hdr = value;
+bool set_one_of(const std::vector<std::string>& allowed, std::string& field, const std::string& value) {
+    if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) return false;
+    field = value;
     return true;
 }
 
@@ -116,7 +117,7 @@ const std::vector<CellField>& cell_fields() {
          .text = overlap_text,
          .set = set_overlap},
         {.name = "path",
-         .allowed = "a path's key",
+         .allowed = "a path's key, or auto",
          .of_group = false,
          .text = [](const CellParams& c) { return c.path; },
          .set = [](CellParams& c, const std::string& v) { return set_word(c.path, v); }},
@@ -125,11 +126,16 @@ const std::vector<CellField>& cell_fields() {
          .of_group = false,
          .text = [](const CellParams& c) { return c.layout; },
          .set = [](CellParams& c, const std::string& v) { return set_word(c.layout, v); }},
+        {.name = "light_lists",
+         .allowed = "auto, cpu or compute",
+         .of_group = false,
+         .text = [](const CellParams& c) { return c.light_lists; },
+         .set = [](CellParams& c, const std::string& v) { return set_one_of(kLightListBuilders, c.light_lists, v); }},
         {.name = "hdr",
          .allowed = "rgba16f, rgba32f or r11g11b10f",
          .of_group = false,
          .text = [](const CellParams& c) { return c.hdr; },
-         .set = set_hdr},
+         .set = [](CellParams& c, const std::string& v) { return set_one_of(kHdrFormats, c.hdr, v); }},
     };
     return fields;
 }

@@ -13,6 +13,11 @@ inline constexpr int kMaxLights = 1'048'576;
 inline constexpr int kMaxExtentPx = 65'536;
 /// Formats of the HDR target, the default first.
 extern const std::vector<std::string> kHdrFormats;
+/// What builds the light lists. The first, the default, stands for the one of the others that is faster on the device.
+extern const std::vector<std::string> kLightListBuilders;
+inline constexpr const char* kAutoLightLists = "auto";
+/// The path that stands for the one expected to be fastest (cost_model.h of bench/measure). Not among those of `*`.
+inline constexpr const char* kAutoPath = "auto";
 
 struct CellParams {
     std::string scene;              ///< key or file
@@ -22,12 +27,14 @@ struct CellParams {
     std::optional<double> overlap;  ///< lights reaching a point, > 0; 0: fixed radius; nothing: the scene's own regime
     std::string path;               ///< key
     std::string layout;             ///< key or file; empty for paths without one
+    std::string light_lists{};      ///< one of kLightListBuilders; empty for paths that list no lights
     std::string hdr = "rgba16f";    ///< one of kHdrFormats
 
     bool operator==(const CellParams&) const = default;
 
     /// `scene=atrium lights=64 size=640x360 path=deferred layout=oct16 hdr=rgba16f`: canonical, so that equal cells
-    /// have equal names. What is left out: the scene's own overlap regime, and the layout of a path without one.
+    /// have equal names. What is left out: the scene's own overlap regime, and the layout and the light lists of a path
+    /// without them.
     std::string name() const;
     /// The part of the name that the cells compared with each other share: scene, lights, size, overlap.
     std::string group() const;
@@ -46,7 +53,7 @@ struct CellField {
     bool (*set)(CellParams&, const std::string& value);
 };
 
-/// scene, lights, size, overlap, path, layout, hdr: in the order of the name.
+/// scene, lights, size, overlap, path, layout, light_lists, hdr: in the order of the name.
 const std::vector<CellField>& cell_fields();
 /// Throws InputError with the nearest name.
 const CellField& find_cell_field(std::string_view name);

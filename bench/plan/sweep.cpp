@@ -24,7 +24,7 @@ AxisValues read_block(const JsonReader& json, const Catalog& catalog) {
 }
 
 Sweep read_sweep(const JsonReader& json, const std::string& key, const Catalog& catalog) {
-    json.allow_keys({"summary", "blocks", "time_budget_s", "target_ci", "maps"});
+    json.allow_keys({"summary", "blocks", "time_budget_s", "target_ci", "max_frame_s", "maps"});
     Sweep sweep;
     sweep.key = key;
     sweep.summary = json.at("summary").string();
@@ -32,6 +32,7 @@ Sweep read_sweep(const JsonReader& json, const std::string& key, const Catalog& 
     if (sweep.blocks.empty()) json.at("blocks").fail("no block; at least one is needed");
     if (json.has("time_budget_s")) sweep.time_budget_s = json.at("time_budget_s").number(1e-3, 1e9);
     if (json.has("target_ci")) sweep.target_ci = json.at("target_ci").number(1e-6, 1.0);
+    if (json.has("max_frame_s")) sweep.max_frame_s = json.at("max_frame_s").number(1e-6, 1e9);
     sweep.maps = json.boolean_or("maps", false);
     return sweep;
 }
@@ -48,7 +49,7 @@ std::vector<CellParams> block_cells(const AxisValues& block, const AxisValues& o
         for (const auto& cell : cells) {
             for (const auto& value : values) {
                 product.push_back(cell);
-                if (axis.name == "layout" && !catalog.uses_layout(cell.path)) break;
+                if (!cell.path.empty() && !catalog.uses(cell.path, axis)) break;
                 set_cell_field(product.back(), axis, value);
             }
         }

@@ -2,6 +2,7 @@
 
 #include "bench/report/answers.h"
 #include "bench/report/crossovers.h"
+#include "bench/report/fastest.h"
 #include "bench/report/front.h"
 #include "bench/report/json_codec.h"
 #include "bench/report/pairs.h"
@@ -96,28 +97,59 @@ Json pairs_json(const std::vector<GroupResult>& groups, std::optional<double> ru
     return pairs;
 }
 
-Json crossovers_json(const std::vector<GroupResult>& groups) {
-    const auto arm_json = [](const CellParams& arm) {
-        return Json{
-            {"path", arm.path}, {"layout", arm.layout.empty() ? Json(nullptr) : Json(arm.layout)}, {"hdr", arm.hdr}};
-    };
+Json arm_json(const CellParams& arm) {
+    return {{"path", arm.path},
+            {"layout", codec::or_null(arm.layout)},
+            {"light_lists", codec::or_null(arm.light_lists)},
+            {"hdr", arm.hdr}};
+}
+
+// What all arms of one view share.
+Json view_json(const CellParams& view) {
+    const bool has_regime = view.overlap.value_or(0.0) > 0.0;
+    return {{"scene", view.scene},
+            {"width_px", view.width},
+            {"height_px", view.height},
+            {"overlap", has_regime ? Json(*view.overlap) : Json(nullptr)}};
+}
+
+Json crossovers_json(const std::vector<GroupResult>& groups, const std::vector<FastestOverLights>& fastest) {
     Json crossovers = Json::array();
-    for (const auto& [a, b, crossover] : find_crossovers(groups)) {
+    for (const auto& [a, b, on_envelope, crossover] : find_crossovers(groups, fastest)) {
         const auto& lights = crossover.lights;
-        const bool has_regime = a.overlap.value_or(0.0) > 0.0;
-        crossovers.push_back({{"scene", a.scene},
-                              {"width_px", a.width},
-                              {"height_px", a.height},
-                              {"overlap", has_regime ? Json(*a.overlap) : Json(nullptr)},
-                              {"a", arm_json(a)},
-                              {"b", arm_json(b)},
-                              {"lights", lights ? encode(lights->estimate) : Json(nullptr)},
-                              {"low", lights ? encode(lights->low) : Json(nullptr)},
-                              {"high", lights ? encode(lights->high) : Json(nullptr)},
-                              {"reason", lights ? Json(nullptr) : Json(crossover.statement)},
-                              {"statement", crossover.statement}});
+        Json json = view_json(a);
+        json.update({{"a", arm_json(a)},
+                     {"b", arm_json(b)},
+                     {"on_envelope", on_envelope},
+                     {"lights", lights ? encode(lights->estimate) : Json(nullptr)},
+                     {"low", lights ? encode(lights->low) : Json(nullptr)},
+                     {"high", lights ? encode(lights->high) : Json(nullptr)},
+                     {"reason", lights ? Json(nullptr) : Json(crossover.statement)},
+                     {"statement", crossover.statement}});
+        crossovers.push_back(std::move(json));
     }
     return crossovers;
+}
+
+Json fastest_json(const std::vector<FastestOverLights>& fastest) {
+    Json result = Json::array();
+    for (const auto& [view, ranges] : fastest) {
+        Json json = view_json(view);
+        json["layout"] = codec::or_null(view.layout);
+        json["hdr"] = view.hdr;
+        json["ranges"] = Json::array();
+        for (const auto& range : ranges) {
+            Json rivals = Json::array();
+            for (const auto& rival : range.rivals) rivals.push_back(arm_json(rival));
+            json["ranges"].push_back({{"from_lights", range.from_lights},
+                                      {"to_lights", range.to_lights},
+                                      {"arm", arm_json(range.arm)},
+                                      {"surely", range.surely},
+                                      {"rivals", std::move(rivals)}});
+        }
+        result.push_back(std::move(json));
+    }
+    return result;
 }
 
 Json references_json(const std::vector<GroupResult>& groups) {
@@ -213,6 +245,7 @@ Json run_json(const JournalContent& journal, bool complete) {
 
 Json assemble_report(const JournalContent& journal) {
     const auto floor = noise_floor(journal.groups);
+    const auto fastest = find_fastest(journal.groups, floor);
     Json summary = summary_json(journal);
     return {{"schema", kReportSchema},
             {"run", run_json(journal, summary.at("complete").get<bool>())},
@@ -222,7 +255,8 @@ Json assemble_report(const JournalContent& journal) {
             {"references", references_json(journal.groups)},
             {"cells", cells_json(journal.groups)},
             {"pairs", pairs_json(journal.groups, floor)},
-            {"crossovers", crossovers_json(journal.groups)},
+            {"crossovers", crossovers_json(journal.groups, fastest)},
+            {"fastest", fastest_json(fastest)},
             {"pareto", pareto_json(journal.groups, floor)},
             {"answers", answers_json(journal, floor)},
             {"summary", std::move(summary)}};

@@ -1,7 +1,7 @@
-// The light counts at which each path and layout meets the forward path. Pure functions of samples.
+// The light counts at which two arms take the same time. Pure functions of samples.
 #pragma once
 
-#include "bench/report/record.h"
+#include "bench/report/fastest.h"
 
 #include "bench/stats/crossover.h"
 
@@ -9,14 +9,17 @@
 
 namespace lightsweep {
 
-/// An arm other than forward against the forward arm of the same HDR format, over the light count.
+/// Two arms of one scene, size and overlap regime, of the same_kind(), over the light count.
 struct ArmCrossover {
     CellParams a;  ///< its light count is of no meaning
     CellParams b;
+    bool on_envelope = false;  ///< one is the fastest up to some light count, and the other from there on
     Crossover crossover;
 };
 
-/// For each scene, size and overlap regime that has both arms at two light counts or more, in the order met.
-std::vector<ArmCrossover> find_crossovers(const std::vector<GroupResult>& groups);
+/// Of the pairs that have two light counts or more: every arm against the forward arm (b), then those of the others
+/// that change places or are neighbours in `fastest`; for each scene, size and regime in the order met.
+std::vector<ArmCrossover> find_crossovers(const std::vector<GroupResult>& groups,
+                                          const std::vector<FastestOverLights>& fastest);
 
 }  // namespace lightsweep

@@ -37,14 +37,23 @@ T decode(const Json& json, const std::string& where) {
     throw InputError(where, std::string(expected) + " was expected, not " + json.type_name());
 }
 
-/// The member `key` of an object.
+template <typename T>
+inline constexpr bool kIsOptional = false;
+template <typename T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+/// The member `key` of an object. What may be null may be missing: earlier files of the same version have fewer keys.
 template <typename T>
 T member(const Json& json, const std::string& key, const std::string& where) {
     if (!json.is_object()) refuse(json, where, "an object");
     const auto found = json.find(key);
-    if (found == json.end()) throw InputError(where, "the key '" + key + "' is missing");
-    return decode<T>(*found, where + "/" + key);
+    if (found != json.end()) return decode<T>(*found, where + "/" + key);
+    if constexpr (kIsOptional<T>) return std::nullopt;
+    throw InputError(where, "the key '" + key + "' is missing");
 }
+
+/// Empty text stands for nothing.
+inline Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 /// A struct with a visit_fields().
 template <typename T>

@@ -38,6 +38,7 @@ void visit_fields(Is<RunInfo> auto& r, auto visit) {
     visit("started_at", r.started_at);
     visit("time_budget_s", r.time_budget_s);
     visit("target_ci", r.target_ci);
+    visit("max_frame_s", r.max_frame_s);
     visit("max_error", r.max_error);
     visit("max_time_ns", r.max_time_ns);
 }
@@ -92,8 +93,12 @@ void visit_fields(Is<CellWork> auto& r, auto visit) {
     visit("lights_drawn", r.lights_drawn);
     visit("lights_culled", r.lights_culled);
     visit("light_evaluations", r.light_evaluations);
+    visit("light_hits", r.light_hits);
+    visit("false_positive_rate", r.false_positive_rate);
+    visit("list_entries", r.list_entries);
     visit("gbuffer_bytes_per_px", r.gbuffer_bytes_per_px);
     visit("target_bytes_per_px", r.target_bytes_per_px);
+    visit("moved_bytes_per_px", r.moved_bytes_per_px);
     visit("memory_bytes", r.memory_bytes);
     visit("skipped", r.skipped);
 }
@@ -137,6 +142,18 @@ void visit_fields(Is<GroupReference> auto& r, auto visit) {
     visit("control_snapped", r.control_snapped);
 }
 
+void visit_fields(Is<ListChoice> auto& r, auto visit) {
+    visit("asked", r.asked);
+    visit("used", r.used);
+    visit("why", r.why);
+}
+
+void visit_fields(Is<PathChoice> auto& r, auto visit) {
+    visit("path", r.path);
+    visit("why", r.why);
+    visit("expected_ns", r.expected_ns);
+}
+
 void visit_fields(Is<CellResult> auto& r, auto visit) {
     visit("id", r.id);
     visit("group", r.group);
@@ -144,7 +161,10 @@ void visit_fields(Is<CellResult> auto& r, auto visit) {
     visit("params", r.params);
     visit("status", r.status);
     visit("reason", r.reason);
+    visit("too_slow_at_lights", r.too_slow_at_lights);
     visit("warnings", r.warnings);
+    visit("light_lists", r.light_lists);
+    visit("auto_path", r.auto_path);
     visit("work", r.work);
     visit("first_frame_ns", r.first_frame_ns);
     visit("stop_reason", r.stop_reason);
@@ -197,7 +217,8 @@ struct Codec<ErrorLimit> {
     }
 };
 
-// The fixed radius regime is null and so is a path without layout: a reader need not know our own markers for them.
+// The fixed radius regime is null and so is a path without layout or light lists: a reader need not know our own
+// markers for them.
 template <>
 struct Codec<CellParams> {
     static Json encode(const CellParams& cell) {
@@ -207,7 +228,8 @@ struct Codec<CellParams> {
                 {"height_px", cell.height},
                 {"overlap", cell.overlap.value_or(0.0) > 0.0 ? Json(*cell.overlap) : Json(nullptr)},
                 {"path", cell.path},
-                {"layout", cell.layout.empty() ? Json(nullptr) : Json(cell.layout)},
+                {"layout", or_null(cell.layout)},
+                {"light_lists", or_null(cell.light_lists)},
                 {"hdr", cell.hdr}};
     }
     static CellParams decode(const Json& json, const std::string& where) {
@@ -219,6 +241,7 @@ struct Codec<CellParams> {
         cell.overlap = member<std::optional<double>>(json, "overlap", where).value_or(0.0);
         cell.path = member<std::string>(json, "path", where);
         cell.layout = member<std::optional<std::string>>(json, "layout", where).value_or("");
+        cell.light_lists = member<std::optional<std::string>>(json, "light_lists", where).value_or("");
         cell.hdr = member<std::string>(json, "hdr", where);
         return cell;
     }

@@ -46,6 +46,7 @@ struct RunInfo {
     std::string started_at;     ///< ISO 8601, UTC
     std::optional<double> time_budget_s;
     double target_ci = 0.02;              ///< half width of a median's interval, as a fraction of it
+    std::optional<double> max_frame_s{};  ///< arms whose frame takes longer are not sampled
     std::optional<ErrorLimit> max_error;  ///< asked: the cheapest arm within this error
     std::optional<double> max_time_ns;    ///< asked: the most exact arm within this time
 };
@@ -111,8 +112,15 @@ struct CellWork {
     int64_t lights_drawn = 0;
     int64_t lights_culled = 0;
     std::optional<int64_t> light_evaluations;
+    /// What the best path must evaluate: over the covered pixels, the lights that reach the surface there.
+    std::optional<int64_t> light_hits{};
+    /// 1 - light_hits / light_evaluations: the share of evaluations at which the light does not reach what is seen,
+    /// those of hidden fragments among them. Below 0 where a layout loses pixels.
+    std::optional<double> false_positive_rate{};
+    std::optional<int64_t> list_entries{};  ///< of all cells' light lists; of paths that have some
     int64_t gbuffer_bytes_per_px = 0;
-    int64_t target_bytes_per_px = 0;  ///< of all targets, the G-buffer among them
+    int64_t target_bytes_per_px = 0;              ///< of all targets, the G-buffer among them
+    std::optional<int64_t> moved_bytes_per_px{};  ///< CompiledPath::moved_bytes_per_pixel
     int64_t memory_bytes = 0;
     std::map<std::string, int64_t> skipped;  ///< what was not needed, counted by kind
 };
@@ -175,6 +183,20 @@ struct GroupReference {
     std::optional<RelativeError> control_snapped;  ///< against one whose triangles are snapped to that grid
 };
 
+/// Who built the light lists of a cell.
+struct ListChoice {
+    std::string asked;  ///< one of kLightListBuilders
+    std::string used;   ///< cpu or compute
+    std::string why;
+};
+
+/// What `path=auto` came to.
+struct PathChoice {
+    std::string path;
+    std::string why;
+    std::map<std::string, double> expected_ns;  ///< by path
+};
+
 struct CellResult {
     std::string id;     ///< CellParams::id() of the planned cell
     std::string group;  ///< CellParams::group() of the planned cell
@@ -182,7 +204,12 @@ struct CellResult {
     CellParams params;  ///< with the scene's own light count and overlap filled in, where the scene could be loaded
     CellStatus status = CellStatus::ok;
     std::optional<std::string> reason;  ///< of any status but ok
+    /// A frame of this arm takes longer than RunInfo::max_frame_s with so many lights: its own count where the status
+    /// is timeout, a smaller one where it was skipped for that.
+    std::optional<int64_t> too_slow_at_lights{};
     std::vector<std::string> warnings;
+    std::optional<ListChoice> light_lists{};  ///< of paths that have some, once drawn
+    std::optional<PathChoice> auto_path{};    ///< of path=auto
     std::optional<CellWork> work;
     std::optional<int64_t> first_frame_ns;   ///< with the compiling of shaders
     std::optional<std::string> stop_reason;  ///< why sampling ended: target_ci, budget, ...

@@ -6,11 +6,20 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 namespace lightsweep {
+namespace {
+
+std::string environment(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value == nullptr ? "" : value;
+}
+
+}  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(path)) throw InputError(path.string(), "is a folder, not a file");
@@ -42,6 +51,16 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
     const bool synced = ::fsync(fd) == 0;
     if (::close(fd) != 0 || !synced) fail("cannot be flushed to disk");
     if (::rename(temporary.c_str(), path.c_str()) != 0) fail("cannot be put in place");
+}
+
+std::filesystem::path cache_folder() {
+    if (const auto own = environment("LIGHTSWEEP_CACHE"); !own.empty()) return own;
+    // The XDG base directory specification: relative paths are to be ignored.
+    if (const std::filesystem::path cache = environment("XDG_CACHE_HOME"); cache.is_absolute()) {
+        return cache / "lightsweep";
+    }
+    if (const std::filesystem::path home = environment("HOME"); !home.empty()) return home / ".cache" / "lightsweep";
+    return {};
 }
 
 }  // namespace lightsweep

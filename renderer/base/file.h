@@ -14,4 +14,8 @@ std::string read_file(const std::filesystem::path& path);
 /// Throws InputError naming the file.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Where what takes long to compute is kept between runs: $LIGHTSWEEP_CACHE, else $XDG_CACHE_HOME/lightsweep, else
+/// ~/.cache/lightsweep. Empty when the environment names none. May not exist yet.
+std::filesystem::path cache_folder();
+
 }  // namespace lightsweep

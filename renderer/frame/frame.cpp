@@ -1,5 +1,6 @@
 #include "renderer/frame/frame.h"
 
+#include "renderer/frame/light_bounds.h"
 #include "shaders/shared/slots.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -31,7 +32,11 @@ struct Frustum {
     }
 };
 
-Frustum make_frustum(const Camera& camera, const CameraBasis& basis, double tan_x, double tan_y) {
+Frustum make_frustum(const FrameSetup& setup) {
+    const Camera& camera = setup.camera;
+    const CameraBasis basis = camera_basis(camera);
+    const double tan_y = std::tan(glm::radians(camera.fov_y_deg) / 2.0);
+    const double tan_x = tan_y * setup.width / setup.height;
     const auto side = [&](const glm::dvec3& across, double tangent) {
         return glm::dvec4(glm::normalize(basis.forward * tangent + across), 0.0);
     };
@@ -70,39 +75,33 @@ void cull_instances(const GpuScene& scene, const Camera& camera, const Frustum& 
 
 // (dot(axis, -l) * scale + offset), clamped and squared: 1 inside the inner cone, 0 outside the outer one (glTF
 // KHR_lights_punctual).
-void set_spot(const Light& light, shared::LightData& data) {
-    const double inner = std::cos(glm::radians(light.inner_deg)), outer = std::cos(glm::radians(light.outer_deg));
-    const double scale = 1.0 / std::max(inner - outer, 1e-4);
+void set_spot(const Light& light, double cos_outer, shared::LightData& data) {
+    const double scale = 1.0 / std::max(std::cos(glm::radians(light.inner_deg)) - cos_outer, 1e-4);
     data.spot_scale = static_cast<float>(scale);
-    data.spot_offset = static_cast<float>(-outer * scale);
+    data.spot_offset = static_cast<float>(-cos_outer * scale);
 }
 
-void collect_lights(const std::vector<Light>& lights, const Camera& camera, const Frustum& frustum, Frame& frame) {
-    frame.lights.clear();
-    for (const LightKind pass : {LightKind::directional, LightKind::point}) {
-        for (const Light& light : lights) {
-            const bool directional = light.kind == LightKind::directional;
-            if (directional != (pass == LightKind::directional)) continue;
-            const glm::dvec3 relative = light.position - camera.eye;
-            const bool useful = light.color != glm::dvec3(0.0) &&
-                                (directional || (light.radius > 0.0 && frustum.touches(relative, light.radius)));
-            if (!useful) {
-                ++frame.work.lights_culled;
-                continue;
-            }
-            shared::LightData data{.position = glm::vec3(relative),
-                                   .radius = static_cast<float>(light.radius),
-                                   .color = glm::vec3(light.color),
-                                   .spot_scale = 0.0F,
-                                   .direction = glm::vec3(light.direction),
-                                   .spot_offset = 1.0F};
-            if (light.kind == LightKind::spot) set_spot(light, data);
-            frame.lights.push_back(data);
-        }
-        if (pass == LightKind::directional) frame.data.directional_count = static_cast<uint32_t>(frame.lights.size());
+shared::LightData light_data(const Light& light, const glm::dvec3& relative) {
+    return {.position = glm::vec3(relative),
+            .radius = static_cast<float>(light.radius),
+            .color = glm::vec3(light.color),
+            .spot_scale = 0.0F,
+            .direction = glm::vec3(light.direction),
+            .spot_offset = 1.0F};
+}
+
+// A point or a spot, when what it reaches touches the view.
+void collect_local_light(const Light& light, const Camera& camera, const Frustum& frustum, Frame& frame) {
+    const glm::dvec3 relative = light.position - camera.eye;
+    if (light.radius <= 0.0 || light.color == glm::dvec3(0.0) || !frustum.touches(relative, light.radius)) return;
+    if (light.kind == LightKind::point) {
+        frame.lights.push_back(light_data(light, relative));
+        return;
     }
-    frame.data.light_count = static_cast<uint32_t>(frame.lights.size());
-    frame.work.lights_drawn = frame.lights.size();
+    const double cos_outer = std::cos(glm::radians(light.outer_deg));
+    const Sphere sphere = sphere_around_cone(relative, light.direction, light.radius, cos_outer);
+    if (!frustum.touches(sphere.center, sphere.radius)) return;
+    set_spot(light, cos_outer, frame.lights.emplace_back(light_data(light, relative)));
 }
 
 }  // namespace
@@ -137,17 +136,31 @@ void set_camera_constants(const FrameSetup& setup, shared::FrameData& data) {
     set_depth_constants(camera, setup.convention, data);
 }
 
-void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame) {
-    const Camera& camera = setup.camera;
-    const double tan_y = std::tan(glm::radians(camera.fov_y_deg) / 2.0);
-    const Frustum frustum = make_frustum(camera, camera_basis(camera), tan_y * setup.width / setup.height, tan_y);
+void collect_lights(const std::vector<Light>& lights, Frame& frame) {
+    const Camera& camera = frame.setup.camera;
+    const Frustum frustum = make_frustum(frame.setup);
+    frame.lights.clear();
+    for (const Light& light : lights) {
+        if (light.kind != LightKind::directional || light.color == glm::dvec3(0.0)) continue;
+        frame.lights.push_back(light_data(light, light.position - camera.eye));
+    }
+    frame.data.directional_count = static_cast<uint32_t>(frame.lights.size());
+    for (const Light& light : lights) {
+        if (light.kind != LightKind::directional) collect_local_light(light, camera, frustum, frame);
+    }
+    frame.data.light_count = static_cast<uint32_t>(frame.lights.size());
+    frame.work.lights_drawn = frame.lights.size();
+    frame.work.lights_culled = lights.size() - frame.lights.size();
+}
 
+void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame) {
+    frame.setup = setup;
     frame.work = {};
     set_camera_constants(setup, frame.data);
     frame.data.ambient = glm::vec3(scene.scene().ambient);
     frame.data.background = glm::vec3(scene.scene().background);
-    cull_instances(scene, camera, frustum, frame);
-    collect_lights(lights, camera, frustum, frame);
+    cull_instances(scene, setup.camera, make_frustum(setup), frame);
+    collect_lights(lights, frame);
 }
 
 // Sizes that most scenes fit in; the buffers grow when one does not.

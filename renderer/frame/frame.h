@@ -35,14 +35,6 @@ struct FrameWork {
     uint64_t lights_culled = 0;
 };
 
-struct Frame {
-    shared::FrameData data;
-    std::vector<DrawCall> draws;
-    std::vector<uint32_t> visible_instances;
-    std::vector<shared::LightData> lights;  ///< directional ones first; only those that can reach the view
-    FrameWork work;
-};
-
 struct FrameSetup {
     Camera camera;
     int width = 1;
@@ -50,8 +42,20 @@ struct FrameSetup {
     DepthConvention convention = DepthConvention::reversed;
 };
 
+struct Frame {
+    FrameSetup setup;
+    shared::FrameData data;
+    std::vector<DrawCall> draws;
+    std::vector<uint32_t> visible_instances;
+    std::vector<shared::LightData> lights;  ///< directional ones first; only those that can reach the view
+    FrameWork work;
+};
+
 /// The part of the constants that the camera alone decides; `data` keeps the rest.
 void set_camera_constants(const FrameSetup& setup, shared::FrameData& data);
+
+/// Makes `frame.lights` of those that can reach the view of `frame.setup`, camera-relative, and counts them.
+void collect_lights(const std::vector<Light>& lights, Frame& frame);
 
 /// Culls instances and lights against the view frustum and makes the lights camera-relative. Reuses the memory of
 /// `frame`.

@@ -33,11 +33,25 @@ shared::InstanceData instance_data(const glm::dmat4& m) {
             glm::vec4(glm::vec3(nx), low.x), glm::vec4(glm::vec3(ny), low.y), glm::vec4(glm::vec3(nz), low.z)};
 }
 
+// What shaders/lib/visible_surface.glsl unpacks.
+glm::uvec2 instance_mesh(const Batch& batch) {
+    return {batch.first_index, batch.material << 1 | (batch.mirrored ? 1U : 0U)};
+}
+
+// Three texels.
+static_assert(sizeof(Vertex) == 48 && offsetof(Vertex, normal) == 12 && offsetof(Vertex, tangent) == 24 &&
+              offsetof(Vertex, uv) == 40);
+
 InstanceBounds bounding_sphere(const Bounds& bounds, const glm::dmat4& m) {
     if (bounds.empty()) return {glm::dvec3(m[3]), 0.0};
     const double scale =
         std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
     return {glm::dvec3(m * glm::dvec4(bounds.center(), 1.0)), 0.5 * glm::length(bounds.size()) * scale};
+}
+
+template <class T>
+gl::TexelBuffer texels(std::span<const T> items, const std::string& label, gl::Format format) {
+    return {gl::Buffer(std::as_bytes(items), label), format};
 }
 
 gl::Texture white_texel() {
@@ -80,10 +94,14 @@ void GpuScene::upload_geometry() {
     std::vector<shared::InstanceData> instances;
     instances.reserve(scene_->instances.size());
     for (const auto& instance : scene_->instances) instances.push_back(instance_data(instance.transform));
-    vertices_ = gl::Buffer(std::as_bytes(std::span(scene_->vertices)), "vertices");
-    indices_ = gl::Buffer(std::as_bytes(std::span(scene_->indices)), "indices");
-    instances_ = gl::TexelBuffer(gl::Buffer(std::as_bytes(std::span<const shared::InstanceData>(instances)), "instances"),
-                                 gl::Format::RGBA32F);
+    std::vector<glm::uvec2> instance_meshes(instances.size());
+    for (const Batch& batch : batches_) {
+        for (const uint32_t i : batch.instances) instance_meshes[i] = instance_mesh(batch);
+    }
+    vertices_ = texels<Vertex>(scene_->vertices, "vertices", gl::Format::RGBA32F);
+    indices_ = texels<uint32_t>(scene_->indices, "indices", gl::Format::R32UI);
+    instances_ = texels<shared::InstanceData>(instances, "instances", gl::Format::RGBA32F);
+    instance_meshes_ = texels<glm::uvec2>(instance_meshes, "meshes of instances", gl::Format::RG32UI);
 
     const gl::VertexBinding bindings[] = {kVertexBinding, kVisibleBinding};
     const gl::VertexAttribute attributes[] = {
@@ -94,9 +112,10 @@ void GpuScene::upload_geometry() {
         {shared::kInstanceAttribute, 1, 1, 0, true},
     };
     vertex_array_ = gl::VertexArray(bindings, attributes, "meshes");
-    vertex_array_.set_buffer(kVertexBinding, vertices_);
-    vertex_array_.set_indices(indices_);
-    memory_bytes_ = vertices_.size_bytes() + indices_.size_bytes() + instances_.size_bytes();
+    vertex_array_.set_buffer(kVertexBinding, vertices_.buffer());
+    vertex_array_.set_indices(indices_.buffer());
+    memory_bytes_ =
+        vertices_.size_bytes() + indices_.size_bytes() + instances_.size_bytes() + instance_meshes_.size_bytes();
 }
 
 void GpuScene::upload_materials() {
@@ -135,6 +154,12 @@ void GpuScene::bind(const gl::Buffer& visible_instances) const {
     vertex_array_.bind();
     vertex_array_.set_buffer(kVisibleBinding, visible_instances);
     instances_.bind(shared::kInstanceUnit);
+}
+
+void GpuScene::bind_geometry() const {
+    instance_meshes_.bind(shared::kInstanceMeshUnit);
+    vertices_.bind(shared::kVertexUnit);
+    indices_.bind(shared::kIndexUnit);
 }
 
 void GpuScene::bind_material(uint32_t material) const {

@@ -42,6 +42,8 @@ class GpuScene {
 
     /// Binds vertices and the instances, whose visible ones `visible_instances` lists (uint32 each).
     void bind(const gl::Buffer& visible_instances) const;
+    /// Binds vertices, indices and what each instance draws as texels, for shaders/lib/visible_surface.glsl.
+    void bind_geometry() const;
     /// Binds the material's constants and textures.
     void bind_material(uint32_t material) const;
 
@@ -55,8 +57,7 @@ class GpuScene {
     std::vector<Batch> batches_;
     std::vector<InstanceBounds> instance_bounds_;
     gl::VertexArray vertex_array_;
-    gl::Buffer vertices_, indices_;
-    gl::TexelBuffer instances_;
+    gl::TexelBuffer vertices_, indices_, instances_, instance_meshes_;
     std::vector<gl::Buffer> materials_;
     std::vector<gl::Texture> textures_;
     gl::Texture white_;

@@ -1,5 +1,5 @@
-// The one service that lists lights for the cells of a grid, on the CPU or in a compute shader, for forward and deferred
-// paths alike. Both builders make the same lists.
+// The one service that lists lights for the cells of a grid, on the CPU or in a compute shader, for forward and
+// deferred paths alike. Both builders make the same lists.
 #pragma once
 
 #include "renderer/frame/light_lists.h"
@@ -18,19 +18,19 @@ const std::vector<std::string>& list_builder_names();
 
 class LightListService {
   public:
-    /// `position_error`: see light_bounds. Throws EnvironmentError when the device lacks what the builder needs.
+    /// `position_error`: see light_bounds.
     LightListService(const LightGridDesc& desc, ListBuilder builder, double position_error);
 
     /// The lists of a frame that is uploaded and bound (FrameBuffers). `tile_depths`: RG32F, a texel for each tile with
     /// the lowest and highest view distance of its surfaces, when the grid has depth bounds; the CPU waits for it and
-    /// reads it back. Throws EnvironmentError when the device cannot hold the lists.
+    /// reads it back. Throws EnvironmentError when the device cannot hold the lists, naming the limit.
     void build(const Frame& frame, const gl::Texture* tile_depths);
 
     /// For shaders with lib/light_list.glsl.
     void bind() const;
 
     /// A compute shader's lists may need more room than there was; those that did not fit came out empty. Waits for the
-    /// GPU, makes room, and says whether the frame must be drawn again. The CPU's lists always fit.
+    /// GPU, makes room, and says whether the frame must be drawn again. The CPU's lists always fit. Throws as `build`.
     bool grow_if_cut_short();
 
     /// The lists as built last. Waits; never while measuring.
@@ -39,7 +39,9 @@ class LightListService {
     size_t memory_bytes() const;
 
   private:
+    void build_on_cpu(const Frame& frame, const gl::Texture* tile_depths);
     void build_on_gpu(const gl::Texture* tile_depths);
+    uint64_t wanted_indices() const;
 
     LightGridDesc desc_;
     ListBuilder builder_;
@@ -50,8 +52,8 @@ class LightListService {
     gl::Buffer grid_block_;
     gl::TexelBuffer cells_, indices_;
     // Of the compute builder: bounds, one bit per light and tile, how many indices were wanted.
-    gl::TexelBuffer bounds_texels_;
-    gl::Buffer tile_masks_, wanted_;
+    gl::TexelBuffer bounds_texels_, masks_;
+    gl::Buffer wanted_;
     gl::Program mask_program_, list_program_;
 };
 

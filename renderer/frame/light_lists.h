@@ -17,7 +17,7 @@ struct LightGridDesc {
 };
 
 /// The grid for one frame. Slices are about as deep as their tiles are wide and cover the distances that the lights
-/// reach inside [near, far], so the grid depends on the lights.
+/// reach up to the far plane, so the grid depends on the lights.
 shared::LightGridData make_light_grid(const LightGridDesc& desc, const FrameSetup& setup,
                                       std::span<const shared::LightBounds> lights);
 
@@ -36,14 +36,27 @@ struct CellList {
     bool operator==(const CellList&) const = default;
 };
 
+/// Neighbouring cells of one row, and a light that touches them.
+struct CellRun {
+    uint32_t begin, end;  ///< tile indices
+    uint32_t light;       ///< index into Frame::lights
+};
+
 struct LightLists {
     std::vector<CellList> cells;    ///< by cell index
     std::vector<uint32_t> indices;  ///< indices into Frame::lights, rising within a cell
+
+    /// What build_light_lists works on, one slice at a time; kept for its memory.
+    struct Scratch {
+        std::vector<uint32_t> slice_ends, slice_lights;
+        std::vector<CellRun> runs;
+        std::vector<uint32_t> places;
+    } scratch;
 };
 
 /// Each cell's lights are those whose bounds `light_touches_cell` (shaders/shared/light_cell.h). `tile_depths`: one for
-/// each tile, row by row from the lower left, for a grid without slices; or empty. `first_light` is added to each index.
-/// Reuses the memory of `lists`.
+/// each tile, row by row from the lower left, for a grid without slices; or empty. `first_light` is added to each
+/// index. Reuses the memory of `lists`.
 void build_light_lists(const shared::LightGridData& grid, std::span<const shared::LightBounds> lights,
                        std::span<const DepthRange> tile_depths, uint32_t first_light, LightLists& lists);
 

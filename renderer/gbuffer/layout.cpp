@@ -190,17 +190,38 @@ Layout load_layout(const std::string& key_or_path) {
     return layout;
 }
 
+double position_error(const Layout& layout) {
+    for (const auto& target : layout.targets) {
+        for (const auto& stored : target.fields) {
+            if (stored.field != Field::position) continue;
+            // Half floats have 11 significant bits, R11G11B10F has 6; some drivers truncate.
+            const int bits = gl::info(target.format).bits[0];
+            return bits == 32 ? 0.0 : bits == 16 ? 0x1p-10 : 0x1p-5;
+        }
+    }
+    return 0.0;
+}
+
 Layout drop_unneeded(const Layout& layout, const SceneNeeds& needs) {
+    std::vector<Field> needed;
     for (size_t i = 0; i < field_names().size(); ++i) {
         const auto field = static_cast<Field>(i);
-        if (field != Field::position && info(field).needed(needs) && !layout.stores(field)) {
+        if (!info(field).needed(needs)) continue;
+        if (field != Field::position && !layout.stores(field)) {
             throw InputError(
                 fmt::format("layout '{}' does not store '{}', which this scene needs", layout.key, info(field).name));
         }
+        needed.push_back(field);
     }
+    return keep_fields(layout, needed);
+}
+
+Layout keep_fields(const Layout& layout, std::span<const Field> fields) {
     Layout result = layout;
     for (auto& target : result.targets) {
-        std::erase_if(target.fields, [&](const StoredField& stored) { return !info(stored.field).needed(needs); });
+        std::erase_if(target.fields, [&](const StoredField& stored) {
+            return std::find(fields.begin(), fields.end(), stored.field) == fields.end();
+        });
     }
     std::erase_if(result.targets, [](const LayoutTarget& target) { return target.fields.empty(); });
     return result;

@@ -9,6 +9,7 @@
 #include "renderer/gl/format.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,10 @@ struct Layout {
     int bytes_per_pixel() const;
 };
 
+/// How far a position that comes out of the layout may be off, relative to its distance from the eye: 0 where it is
+/// rebuilt from depth (it then lies on the pixel's ray, at the depth that everything else sees) or stored in 32 bits.
+double position_error(const Layout& layout);
+
 /// A shipped layout by its key, or a user's own by its path. Throws InputError with file, place and cure: an unknown
 /// field, encoding or format, a channel that does not fit, bits that overlap, a field stored twice.
 Layout load_layout(const std::string& key_or_path);
@@ -74,5 +79,8 @@ StoredField read_stored_field(const JsonReader& json, gl::Format format);
 /// Throws InputError naming the field when the scene needs one that the layout does not store (position excepted: it
 /// is rebuilt from depth).
 Layout drop_unneeded(const Layout& layout, const SceneNeeds& needs);
+
+/// The layout with these fields alone, and without the targets that nothing is left in.
+Layout keep_fields(const Layout& layout, std::span<const Field> fields);
 
 }  // namespace lightsweep

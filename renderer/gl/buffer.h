@@ -28,6 +28,11 @@ class Buffer {
     void write_items(std::span<const T> items) {
         write(std::as_bytes(items));
     }
+    /// Makes the storage at least this large; a larger one starts as zeros, and has a new name. Throws EnvironmentError
+    /// when the device has no memory for it.
+    void reserve(size_t size_bytes);
+    /// Zeros the first bytes on the GPU, in order with everything else; a multiple of 4.
+    void clear(size_t size_bytes) const;
 
     void bind_storage(unsigned slot) const;
     void bind_uniform(unsigned slot) const;

@@ -39,6 +39,11 @@ constexpr LimitRow kCounterBits[] = {
     {"timestamp_bits", &Limits::timestamp_bits, GL_TIMESTAMP},
 };
 
+// One value for each direction.
+constexpr LimitRow kFirstDirection[] = {
+    {"max_compute_groups", &Limits::max_compute_groups, GL_MAX_COMPUTE_WORK_GROUP_COUNT},
+};
+
 }  // namespace
 
 Limits query_limits() {
@@ -53,6 +58,11 @@ Limits query_limits() {
         glGetQueryiv(row.query, GL_QUERY_COUNTER_BITS, &bits);
         limits.*row.value = bits;
     }
+    for (const LimitRow& row : kFirstDirection) {
+        GLint64 value = 0;
+        glGetInteger64i_v(row.query, 0, &value);
+        limits.*row.value = value;
+    }
     return limits;
 }
 
@@ -60,6 +70,7 @@ std::vector<std::pair<std::string_view, int64_t>> named_limits(const Limits& lim
     std::vector<std::pair<std::string_view, int64_t>> named;
     for (const LimitRow& row : kLimits) named.emplace_back(row.name, limits.*row.value);
     for (const LimitRow& row : kCounterBits) named.emplace_back(row.name, limits.*row.value);
+    for (const LimitRow& row : kFirstDirection) named.emplace_back(row.name, limits.*row.value);
     return named;
 }
 

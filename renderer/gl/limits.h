@@ -26,6 +26,7 @@ struct Limits {
     int64_t storage_offset_alignment_bytes = 0;
     int64_t max_compute_invocations = 0;  ///< per work group
     int64_t max_compute_shared_bytes = 0;
+    int64_t max_compute_groups = 0;  ///< work groups in the x direction of a dispatch
     int64_t subpixel_bits = 0;
     int64_t time_elapsed_bits = 0;  ///< GL_QUERY_COUNTER_BITS; 0 means that the query does not count at all
     int64_t timestamp_bits = 0;

@@ -8,7 +8,7 @@ namespace lightsweep::gl {
 namespace {
 
 constexpr GLenum kCompare[] = {GL_NEVER, GL_LESS, GL_LEQUAL, GL_EQUAL, GL_GREATER, GL_GEQUAL, GL_NOTEQUAL, GL_ALWAYS};
-constexpr GLenum kStencilOp[] = {GL_KEEP, GL_ZERO, GL_INCR_WRAP, GL_DECR_WRAP};
+constexpr GLenum kStencilOp[] = {GL_KEEP, GL_ZERO, GL_INCR_WRAP, GL_DECR_WRAP, GL_REPLACE};
 
 std::optional<RasterState> current;
 
@@ -19,8 +19,8 @@ void set_cull(Cull cull) {
     if (cull != Cull::none) glCullFace(cull == Cull::back ? GL_BACK : GL_FRONT);
 }
 
-void set_stencil(GLenum face, const StencilFace& s) {
-    glStencilFuncSeparate(face, kCompare[static_cast<int>(s.compare)], 0, 0xFF);
+void set_stencil(GLenum face, const StencilFace& s, uint8_t reference) {
+    glStencilFuncSeparate(face, kCompare[static_cast<int>(s.compare)], reference, 0xFF);
     glStencilOpSeparate(face, GL_KEEP, kStencilOp[static_cast<int>(s.depth_fail)],
                         kStencilOp[static_cast<int>(s.pass)]);
 }
@@ -61,9 +61,15 @@ void apply(const RasterState& state) {
         const GLboolean on = state.color_write ? GL_TRUE : GL_FALSE;
         glColorMask(on, on, on, on);
     }
+    if (changed(&RasterState::scissor_test)) enable(GL_SCISSOR_TEST, state.scissor_test);
     if (changed(&RasterState::stencil_test)) enable(GL_STENCIL_TEST, state.stencil_test);
-    if (changed(&RasterState::stencil_front)) set_stencil(GL_FRONT, state.stencil_front);
-    if (changed(&RasterState::stencil_back)) set_stencil(GL_BACK, state.stencil_back);
+    const bool reference = changed(&RasterState::stencil_reference);
+    if (reference || changed(&RasterState::stencil_front)) {
+        set_stencil(GL_FRONT, state.stencil_front, state.stencil_reference);
+    }
+    if (reference || changed(&RasterState::stencil_back)) {
+        set_stencil(GL_BACK, state.stencil_back, state.stencil_reference);
+    }
     current = state;
 }
 
@@ -73,6 +79,14 @@ void apply_faces(Cull cull, bool mirrored) {
     state.mirrored = mirrored;
     apply(state);
 }
+
+void apply_stencil_reference(uint8_t reference) {
+    RasterState state = current.value_or(RasterState{});
+    state.stencil_reference = reference;
+    apply(state);
+}
+
+void set_scissor(int x, int y, int width, int height) { glScissor(x, y, width, height); }
 
 void set_clip_depth(ClipDepth clip) {
     glClipControl(GL_LOWER_LEFT, clip == ClipDepth::zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);

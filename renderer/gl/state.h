@@ -11,10 +11,10 @@ enum class Blend : uint8_t {
     none,
     add,  ///< destination + source, all channels
 };
-enum class StencilOp : uint8_t { keep, zero, increment_wrap, decrement_wrap };
+enum class StencilOp : uint8_t { keep, zero, increment_wrap, decrement_wrap, replace };
 
 struct StencilFace {
-    Compare compare = Compare::always;  ///< of the stored value against 0
+    Compare compare = Compare::always;  ///< of the reference (stencil_reference) against the stored value
     StencilOp depth_fail = StencilOp::keep;
     StencilOp pass = StencilOp::keep;
     bool operator==(const StencilFace&) const = default;
@@ -29,7 +29,9 @@ struct RasterState {
     bool mirrored = false;  ///< clockwise triangles are the front ones
     Blend blend = Blend::none;
     bool color_write = true;
+    bool scissor_test = false;  ///< only pixels of set_scissor's rectangle
     bool stencil_test = false;
+    uint8_t stencil_reference = 0;
     StencilFace stencil_front{};
     StencilFace stencil_back{};
     bool operator==(const RasterState&) const = default;
@@ -43,6 +45,11 @@ void forget_state();
 void apply(const RasterState& state);
 /// Changes only which side of triangles is drawn, and which is the front, of the state that is set.
 void apply_faces(Cull cull, bool mirrored);
+
+/// Changes only the stencil's reference of the state that is set.
+void apply_stencil_reference(uint8_t reference);
+/// The rectangle of RasterState::scissor_test: lower left corner and size in pixels.
+void set_scissor(int x, int y, int width, int height);
 
 /// Which z / w the near and far planes have before the viewport maps them to a depth of [0, 1].
 enum class ClipDepth : uint8_t {

@@ -23,6 +23,9 @@ class TexelBuffer {
     void write_items(std::span<const T> items) {
         write(std::as_bytes(items));
     }
+    /// Makes room for at least this many texels. What was there is lost when that takes a new buffer. Throws as
+    /// `write`.
+    void reserve(size_t texels);
     /// To a texture unit.
     void bind(unsigned unit) const;
     /// For compute shaders that write it.
@@ -31,6 +34,7 @@ class TexelBuffer {
 
   private:
     void attach();
+    void check_limit(size_t texels) const;
 
     Buffer buffer_;
     Format format_ = Format::RGBA32F;

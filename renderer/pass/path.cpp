@@ -29,6 +29,11 @@ std::vector<Write> join(std::vector<Write> writes, Write one_more) {
     return writes;
 }
 
+std::vector<std::string> join(std::vector<std::string> defines, std::string one_more) {
+    defines.push_back(std::move(one_more));
+    return defines;
+}
+
 gl::RasterState opaque_state(DepthConvention convention) {
     return {.depth_test = true,
             .depth_write = true,
@@ -37,12 +42,45 @@ gl::RasterState opaque_state(DepthConvention convention) {
 
 gl::RasterState equal_state() { return {.depth_test = true, .depth_compare = gl::Compare::equal}; }
 
+Pass depth_prepass(const PathSetup& setup, TargetId depth) {
+    return {.name = "prepass",
+            .shader = {"paths/mesh", "paths/depth", {"DEPTH_ONLY"}},
+            .writes = {{depth, Load::clear}},
+            .state = opaque_state(setup.layout.convention),
+            .record = draw_visible_meshes};
+}
+
 Pass gbuffer_pass(const PathSetup& setup, const std::vector<TargetId>& targets, TargetId depth) {
     return {.name = "gbuffer",
             .shader = {"paths/mesh", "paths/gbuffer"},
             .writes = join(all(targets, Load::discard), {depth, Load::clear}),
             .state = opaque_state(setup.layout.convention),
             .record = draw_visible_meshes};
+}
+
+void list_lights(const PathSetup& setup, const LightGridDesc& grid, Path& path) {
+    path.light_grid = grid;
+    if (grid.depth_bounds) {
+        path.tile_depth = path.add({.name = "tile depth", .format = gl::Format::RG32F, .px_per_texel = grid.tile_px});
+        path.passes.push_back(
+            {.name = "tile_depth",
+             .shader = {"paths/fullscreen", "lists/tile_depth", {fmt::format("TILE_PX {}", grid.tile_px)}},
+             .reads = {path.depth},
+             .writes = {{path.tile_depth, Load::discard}},
+             .record = draw_full_screen});
+    }
+    if (grid.depth_bounds || setup.light_lists == ListBuilder::compute) {
+        path.passes.push_back({.name = "light_lists", .record = build_lists});
+    }
+}
+
+Pass base_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path) {
+    return {.name = "base",
+            .shader = {"paths/fullscreen", "paths/resolve_base", gbuffer_read_defines(setup.layout)},
+            .reads = join(targets, path.depth),
+            .writes = {{path.hdr, Load::discard}},
+            .record = draw_full_screen,
+            .shades = Shades::directional_of_covered};
 }
 
 std::vector<std::string> gbuffer_read_defines(const Layout& layout) {

@@ -2,12 +2,14 @@
 // and how it loads it, and what it draws. Only `CompiledPath` (execute) touches GL.
 #pragma once
 
+#include "renderer/frame/light_list_service.h"
 #include "renderer/frame/needs.h"
 #include "renderer/gbuffer/layout.h"
 #include "renderer/gl/format.h"
 #include "renderer/gl/state.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +20,8 @@ class Recorder;
 
 struct TargetDesc {
     std::string name{};
-    gl::Format format = gl::Format::RGBA8;  ///< always of the frame's size
+    gl::Format format = gl::Format::RGBA8;
+    int px_per_texel = 1;  ///< a texel stands for a square of this many pixels a side; 1: of the frame's size
 };
 
 struct TargetId {
@@ -48,8 +51,10 @@ struct Shader {
 /// How many light evaluations one of a pass's shaded fragments makes: for the report's `work`.
 enum class Shades : uint8_t {
     nothing,
-    all_lights,             ///< per fragment that passes its tests
-    all_lights_of_covered,  ///< per pixel that a surface covers (full-screen passes)
+    all_lights,                ///< per fragment that passes its tests
+    all_lights_of_covered,     ///< per pixel that a surface covers (full-screen passes)
+    listed_lights_of_covered,  ///< directional lights, and those listed for the pixel's cell
+    directional,               ///< per fragment that passes its tests
     directional_of_covered,
     one_light,  ///< per fragment of the pass's last stage
 };
@@ -77,6 +82,11 @@ struct Path {
     TargetId depth;    ///< which pixels a surface covers
     TargetId hdr;      ///< the lit image
     TargetId display;  ///< after post effects, 8 bits, sRGB-encoded
+    /// The grid whose cells get light lists, for shaders with LIGHT_GRID; see list_lights.
+    std::optional<LightGridDesc> light_grid{};
+    TargetId tile_depth{};  ///< of a grid with depth bounds: RG32F, a texel a tile
+    /// What its G-buffer stores, where that is less than the setup's layout.
+    std::optional<Layout> thin_layout{};
 
     TargetId add(TargetDesc target) {
         targets.push_back(std::move(target));
@@ -91,12 +101,14 @@ struct PathSetup {
     SceneNeeds needs;
     Layout layout;  ///< what is left after drop_unneeded; paths without a layout use its depth alone
     gl::Format hdr = gl::Format::RGBA16F;
+    ListBuilder light_lists = ListBuilder::cpu;  ///< of paths that list lights
 };
 
 struct PathInfo {
     std::string_view key;
     std::string_view summary;
     bool uses_layout = false;
+    bool uses_light_lists = false;
     Path (*build)(const PathSetup&) = nullptr;
 };
 
@@ -104,14 +116,29 @@ struct PathInfo {
 std::vector<Write> all(const std::vector<TargetId>& targets, Load load);
 std::vector<TargetId> join(std::vector<TargetId> targets, TargetId one_more);
 std::vector<Write> join(std::vector<Write> writes, Write one_more);
+std::vector<std::string> join(std::vector<std::string> defines, std::string one_more);
 
 /// Depth test and write for opaque geometry: nearer wins, in either convention.
 gl::RasterState opaque_state(DepthConvention convention);
 /// The same, but only the surface that a prepass left: equal, and no write.
 gl::RasterState equal_state();
 
+/// Gives the path a light grid and adds the passes that list its lights, after those that fill `path.depth`: the depth
+/// range of each tile when the grid has depth bounds, and the lists, unless the CPU can build them before the frame.
+void list_lights(const PathSetup& setup, const LightGridDesc& grid, Path& path);
+/// Cells for list_lights: small tiles that end where their surfaces do, or larger ones cut into slices.
+inline constexpr LightGridDesc kDepthBoundedTiles{.tile_px = 16, .depth_bounds = true};
+inline constexpr LightGridDesc kClusters{.tile_px = 32, .slices = true};
+
+/// The pass that leaves the depth of what is visible, for passes with equal_state.
+Pass depth_prepass(const PathSetup& setup, TargetId depth);
+
 /// The pass that fills the layout's targets and the depth with what is visible.
 Pass gbuffer_pass(const PathSetup& setup, const std::vector<TargetId>& targets, TargetId depth);
+
+/// The full-screen pass that shades what no light's bounds hold: emission, ambient, directional lights, background.
+/// Reads the layout's targets.
+Pass base_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path);
 
 /// The defines that lib/gbuffer_pixel.glsl wants when a pass reads the layout's targets and then the depth.
 std::vector<std::string> gbuffer_read_defines(const Layout& layout);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "renderer/frame/frame.h"
+#include "renderer/frame/light_list_service.h"
+#include "renderer/gl/draw.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/query.h"
 #include "renderer/gl/state.h"
@@ -12,18 +14,20 @@
 
 namespace lightsweep {
 
-/// A mesh around the unit sphere for light volumes, and an empty vertex array for full-screen triangles.
+/// Meshes for light volumes (renderer/pass/volume_meshes.h), and an empty vertex array for full-screen triangles.
 class DrawShapes {
   public:
     DrawShapes();
+    void bind_full_screen() const;
     void draw_full_screen() const;
-    void bind_sphere() const;
-    void draw_sphere() const;
+    void bind_volumes() const;
+    void draw_sphere() const { gl::draw_indexed(sphere_); }
+    void draw_cone() const { gl::draw_indexed(cone_); }
 
   private:
-    gl::VertexArray empty_, sphere_array_;
-    gl::Buffer sphere_vertices_, sphere_indices_;
-    uint32_t sphere_index_count_ = 0;
+    gl::VertexArray empty_, volumes_;
+    gl::Buffer volume_vertices_, volume_indices_;
+    gl::IndexedDraw sphere_, cone_;
 };
 
 /// What `execute` draws: a frame of a scene, uploaded.
@@ -41,27 +45,60 @@ struct CompiledStage {
 
 class Recorder {
   public:
-    Recorder(const DrawInput& input, std::span<const CompiledStage> stages) : input_(input), stages_(stages) {}
+    /// `position_error`: of the layout; see light_bounds.
+    Recorder(const DrawInput& input, std::span<const CompiledStage> stages, double position_error)
+        : input_(input), stages_(stages), position_error_(position_error) {}
     /// From here on, counts the fragments that pass in draws of the last stage. Never while measuring.
     void count_samples() { counting_ = true; }
+    /// What build_light_lists builds, and from which depth ranges; may be null.
+    void set_light_lists(LightListService* lists, const gl::Texture* tile_depth) {
+        light_lists_ = lists;
+        tile_depth_ = tile_depth;
+    }
     /// Waits for the counts.
     uint64_t samples() const;
 
     const Frame& frame() const { return input_.frame; }
+    const GpuScene& scene() const { return input_.scene; }
+    /// What the frame's point and spot lights reach, in their order.
+    std::vector<shared::LightBounds> light_bounds() const;
+
     void use_stage(size_t index);
     void draw_visible_meshes();
+    /// The same, with a number of each mesh's material as the stencil's reference: for states that store it.
+    void draw_visible_meshes_marking_materials();
     void draw_full_screen();
-    /// Before draw_light_volume, once.
-    void bind_light_volume() { input_.shapes.bind_sphere(); }
-    /// The sphere around one light, with the current stage's program.
+    /// One full-screen draw for each material of the frame, the stencil's reference as above. Two materials may have
+    /// the same number: the shader tells them apart. Binds the scene's vertices, indices and meshes as texels.
+    void draw_full_screen_per_material();
+    void build_light_lists();
+    /// For states with a scissor test.
+    void set_scissor(const PixelRect& rect);
+
+    // For each of many lights (the shader's `light_index`); what the draws share is bound once, first.
+    void bind_full_screen() { input_.shapes.bind_full_screen(); }
+    void draw_light_screen(uint32_t light);
+    void bind_light_volumes() { input_.shapes.bind_volumes(); }
+    /// The sphere around a point light, the cone around a spot.
     void draw_light_volume(uint32_t light);
+    /// What `first_visible` of the following draws counts in.
+    void bind_instances(std::span<const uint32_t> instances);
+    void bind_batch(uint32_t batch);
+    /// Instances of the batch that is bound.
+    void draw_light_instances(uint32_t light, const DrawCall& draw);
 
   private:
     template <class Draw>
     void counted(Draw draw);
+    void set_light(uint32_t light);
+    void draw_batch(const DrawCall& draw);
 
     const DrawInput& input_;
+    LightListService* light_lists_ = nullptr;
+    const gl::Texture* tile_depth_ = nullptr;
     std::span<const CompiledStage> stages_;
+    double position_error_;
+    gl::Buffer instances_;  // of bind_instances
     size_t stage_ = 0;
     bool counting_ = false;
     std::vector<gl::SamplesQuery> queries_;
@@ -70,5 +107,6 @@ class Recorder {
 /// The usual `record`s.
 void draw_visible_meshes(Recorder& recorder);
 void draw_full_screen(Recorder& recorder);
+void build_lists(Recorder& recorder);
 
 }  // namespace lightsweep

@@ -1,25 +1,34 @@
-// Deferred with light volumes: each point or spot light shades only the pixels whose surface is inside its sphere,
-// found with the stencil (depth-fail counting, right when the camera is inside the sphere too). What no sphere bounds
-// is shaded full-screen first.
+// Deferred with light volumes: each point or spot light shades only the pixels whose surface is inside its sphere or
+// cone, found with the stencil (depth-fail counting, right when the camera is inside the volume too). What no volume
+// bounds is shaded full-screen first.
 #include "renderer/pass/path.h"
 #include "renderer/pass/recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace lightsweep {
 namespace {
 
 enum : size_t { kMark, kShade };
 
-// A surface inside the sphere lies between its front and back faces: the back faces fail the depth test there, the
-// front faces do not. Counted on the sphere clamped to the depth range, so that neither near nor far plane opens it.
+// A surface inside the volume lies between its front and back faces: the back faces fail the depth test there, the
+// front faces do not. Counted on the volume clamped to the depth range, so that neither near nor far plane opens it.
+// Nothing clamped is behind the background, which is therefore never marked.
+// Blends like shade_state: what both share is not switched for each light.
 gl::RasterState mark_state(DepthConvention convention) {
-    gl::RasterState state{.depth_test = true, .depth_clamp = true, .color_write = false, .stencil_test = true};
-    state.depth_compare = convention == DepthConvention::reversed ? gl::Compare::greater : gl::Compare::less;
+    gl::RasterState state{
+        .depth_test = true, .depth_clamp = true, .blend = gl::Blend::add, .color_write = false, .stencil_test = true};
+    state.depth_compare =
+        convention == DepthConvention::reversed ? gl::Compare::greater_equal : gl::Compare::less_equal;
     state.stencil_back.depth_fail = gl::StencilOp::increment_wrap;
     state.stencil_front.depth_fail = gl::StencilOp::decrement_wrap;
     return state;
 }
 
-// The sphere's back faces cover the marked pixels wherever the camera is; each mark is wiped as it is shaded.
+// The volume's back faces cover the marked pixels wherever the camera is; each mark is wiped as it is shaded.
 gl::RasterState shade_state() {
     gl::RasterState state{.depth_clamp = true, .cull = gl::Cull::front, .blend = gl::Blend::add, .stencil_test = true};
     state.stencil_back = {.compare = gl::Compare::not_equal, .pass = gl::StencilOp::zero};
@@ -29,7 +38,7 @@ gl::RasterState shade_state() {
 
 void draw_lights(Recorder& recorder) {
     const auto& data = recorder.frame().data;
-    recorder.bind_light_volume();
+    recorder.bind_light_volumes();
     for (uint32_t light = data.directional_count; light < data.light_count; ++light) {
         recorder.use_stage(kMark);
         recorder.draw_light_volume(light);
@@ -38,30 +47,36 @@ void draw_lights(Recorder& recorder) {
     }
 }
 
+// What lib/light_volume.glsl wants to know of how surfaces are stored.
+std::vector<std::string> volume_defines(const Layout& layout) {
+    // Two steps: one of the target, one of the rasteriser, which interpolates in float; just below 1 that is 2^-24.
+    const auto& depth = gl::info(gl::with_stencil(layout.depth));
+    const bool relative = depth.bits[0] == 32 && layout.convention == DepthConvention::reversed;
+    const double step = relative ? 0.0 : std::ldexp(1.0, -std::min<int>(depth.bits[0], 24)) + 0x1p-24;
+    return {fmt::format("POSITION_ERROR {:.9e}", position_error(layout)), fmt::format("DEPTH_STEP {:.9e}", step)};
+}
+
 Path build(const PathSetup& s) {
     Path path;
     const auto targets = path.add(s.layout.targets);
     path.depth = path.add({.name = "depth", .format = gl::with_stencil(s.layout.depth)});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    const auto read_defines = gbuffer_read_defines(s.layout);
+    const auto defines = volume_defines(s.layout);
+    auto shade_defines = gbuffer_read_defines(s.layout);
+    shade_defines.insert(shade_defines.end(), defines.begin(), defines.end());
     path.passes = {
         gbuffer_pass(s, targets, path.depth),
-        {.name = "base",
-         .shader = {"paths/fullscreen", "paths/resolve_base", read_defines},
-         .reads = join(targets, path.depth),
-         .writes = {{path.hdr, Load::discard}},
-         .record = draw_full_screen,
-         .shades = Shades::directional_of_covered},
+        base_pass(s, targets, path),
         // Reads the depth that is attached: allowed in practice because no draw of this pass writes depth, only
         // stencil.
         {.name = "lights",
-         .shader = {"paths/light_volume", "paths/light_volume_mark"},
+         .shader = {"paths/light_volume", "paths/light_volume_mark", defines},
          .reads = join(targets, path.depth),
          .writes = {{path.hdr, Load::keep}, {path.depth, Load::keep}},
          .state = mark_state(s.layout.convention),
          .record = draw_lights,
          .shades = Shades::one_light,
-         .more_stages = {{{"paths/light_volume", "paths/light_volume", read_defines}, shade_state()}}},
+         .more_stages = {{{"paths/light_volume", "paths/resolve_light", shade_defines}, shade_state()}}},
     };
     return path;
 }
@@ -70,7 +85,7 @@ Path build(const PathSetup& s) {
 
 extern const PathInfo path_deferred_volumes;
 const PathInfo path_deferred_volumes{.key = "deferred_volumes",
-                                     .summary = "G-buffer, then a stencil-marked sphere for each light",
+                                     .summary = "G-buffer, then a stencil-marked sphere or cone for each light",
                                      .uses_layout = true,
                                      .build = build};
 

@@ -10,11 +10,7 @@ Path build(const PathSetup& s) {
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
     path.passes = {
-        {.name = "prepass",
-         .shader = {"paths/mesh", "paths/depth", {"DEPTH_ONLY"}},
-         .writes = {{path.depth, Load::clear}},
-         .state = opaque_state(s.layout.convention),
-         .record = draw_visible_meshes},
+        depth_prepass(s, path.depth),
         {.name = "forward",
          .shader = {"paths/mesh", "paths/forward"},
          .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},

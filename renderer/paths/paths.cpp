@@ -9,15 +9,22 @@ namespace lightsweep {
 
 extern const PathInfo path_forward;
 extern const PathInfo path_forward_prepass;
+extern const PathInfo path_forward_multipass;
+extern const PathInfo path_forward_tiled;
+extern const PathInfo path_forward_clustered;
 extern const PathInfo path_deferred;
+extern const PathInfo path_deferred_scissor;
 extern const PathInfo path_deferred_volumes;
+extern const PathInfo path_deferred_tiled;
+extern const PathInfo path_deferred_clustered;
+extern const PathInfo path_light_prepass;
+extern const PathInfo path_visibility;
 
 namespace {
 constexpr const PathInfo* kPaths[] = {
-    &path_forward,
-    &path_forward_prepass,
-    &path_deferred,
-    &path_deferred_volumes,
+    &path_forward,           &path_forward_prepass,    &path_forward_multipass, &path_forward_tiled,
+    &path_forward_clustered, &path_deferred,           &path_deferred_scissor,  &path_deferred_volumes,
+    &path_deferred_tiled,    &path_deferred_clustered, &path_light_prepass,     &path_visibility,
 };
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "renderer/reference/cache.h"
 
+#include "renderer/base/file.h"
 #include "renderer/base/hash.h"
 #include "renderer/reference/reference.h"
 
@@ -7,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <exception>
 #include <system_error>
 #include <type_traits>
@@ -42,20 +42,6 @@ class KeyBytes {
     std::string bytes_;
 };
 
-std::string environment(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value == nullptr ? "" : value;
-}
-
-// Empty when the environment names none.
-fs::path default_folder() {
-    if (const auto own = environment("LIGHTSWEEP_CACHE"); !own.empty()) return own;
-    // The XDG base directory specification: relative paths are to be ignored.
-    if (const fs::path cache = environment("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "lightsweep";
-    if (const fs::path home = environment("HOME"); !home.empty()) return home / ".cache" / "lightsweep";
-    return {};
-}
-
 }  // namespace
 
 std::string reference_key(const Scene& scene, const Camera& camera, std::span<const Light> lights,
@@ -74,7 +60,7 @@ std::string reference_key(const Scene& scene, const Camera& camera, std::span<co
     return key.hex();
 }
 
-ReferenceCache::ReferenceCache() : ReferenceCache(default_folder()) {}
+ReferenceCache::ReferenceCache() : ReferenceCache(cache_folder()) {}
 
 std::optional<Image> ReferenceCache::find(const std::string& key, int width, int height) const {
     const fs::path file = folder_ / (key + ".exr");

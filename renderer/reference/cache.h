@@ -19,7 +19,7 @@ std::string reference_key(const Scene& scene, const Camera& camera, std::span<co
 
 class ReferenceCache {
   public:
-    /// In $LIGHTSWEEP_CACHE, else $XDG_CACHE_HOME/lightsweep, else ~/.cache/lightsweep; made when first written to.
+    /// In cache_folder(); made when first written to.
     ReferenceCache();
     explicit ReferenceCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 

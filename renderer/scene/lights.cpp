@@ -7,6 +7,7 @@
 #include "renderer/scene/scene.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -213,13 +214,13 @@ std::vector<Light> make_lights(const Scene& scene, int count, RadiusRegime regim
         const double area = surface ? surface->area() : 0.0;
         shrink = std::min(1.0, overlap_radius(generator, regime.overlap, generated, area) / generator.radius);
     }
-    lights.reserve(static_cast<size_t>(count));
-    for (int i = 0; i < generated; ++i) {
-        Light light = generate(generator, static_cast<uint64_t>(i), surface ? &*surface : nullptr);
+    lights.resize(static_cast<size_t>(count));
+    tbb::parallel_for(0, generated, [&](int i) {
+        Light& light = lights[static_cast<size_t>(written + i)];
+        light = generate(generator, static_cast<uint64_t>(i), surface ? &*surface : nullptr);
         light.radius *= shrink;
         light.color *= shrink * shrink;
-        lights.push_back(light);
-    }
+    });
     return lights;
 }
 

@@ -1,6 +1,10 @@
-"""Over the light count: the time of each arm, and its ratio to forward with the crossover marked."""
+"""Over the light count: the time of each arm with the crossovers of the fastest, its ratio to forward with its crossover, and the
+light evaluations that it makes for each one that must be made."""
 
+import math
 import textwrap
+
+from matplotlib import patheffects
 
 from . import report as data
 from . import style
@@ -8,6 +12,9 @@ from . import style
 BASELINE = "forward"
 BAND_ALPHA = 0.16
 STATEMENT_LETTERS = 76
+MOST_BARS = 4
+PANEL_WIDTH_IN = 4.4
+CROSSOVER_LABEL = "another becomes the fastest"
 
 
 def _draw(axes, points, arm, styles, label):
@@ -31,25 +38,110 @@ def _times(cells):
     return {arm: points for arm, points in series.items() if len(points) > 1}
 
 
+def _height_in(names):
+    """Of a figure with one legend: many lines need room, and so do their names."""
+    return max(3.8, 1.8 + 0.25 * len(names))
+
+
+def _slowest_first(series):
+    """The arms in about the order of their lines' right ends, from above; those that end early were too slow to go on."""
+    return sorted(series, key=lambda arm: (series[arm][-1][0], -series[arm][-1][1]))
+
+
+def _order(shown):
+    """Of the arms of all panels, by the last panel each is in: the largest picture."""
+    order = []
+    for series in reversed(shown.values()):
+        order += [arm for arm in _slowest_first(series) if arm not in order]
+    return order
+
+
+def _shared_legend(panels, names):
+    """One legend for all panels, in the order of `names`, beside the last."""
+    handles = {label: handle for axes in panels for handle, label in zip(*axes.get_legend_handles_labels())}
+    labels = [name for name in names if name in handles] + [label for label in handles if label not in names]
+    panels[-1].legend([handles[label] for label in labels], labels, loc="upper left", bbox_to_anchor=(1.02, 1), handlelength=4)
+
+
+def _at(points, lights):
+    """The time where the straight line between the neighbours passes, on logarithmic axes; None outside."""
+    for (x0, y0, *_), (x1, y1, *_) in zip(points, points[1:]):
+        if x0 <= lights <= x1:
+            share = math.log((1 + lights) / (1 + x0)) / math.log((1 + x1) / (1 + x0))
+            return y0 * (y1 / y0)**share
+    return None
+
+
+def _mark_envelope(axes, report, scene, panel, series):
+    """Where another arm becomes the fastest: a ring with its interval, and the light count."""
+    for entry in report["crossovers"]:
+        if entry["scene"] != scene or data.panel_of(entry) != panel or not entry.get("on_envelope") or entry["lights"] is None:
+            continue
+        a, b = (_at(series.get(data.arm_of(entry[end]), []), entry["lights"]) for end in "ab")
+        if a is None or b is None:
+            continue
+        time = math.sqrt(a * b)
+        counts = [point[0] for points in series.values() for point in points]
+        low = min(counts) if entry["low"] is None else entry["low"]
+        high = max(counts) if entry["high"] is None else entry["high"]
+        axes.plot([low, high], [time, time], color="black", linewidth=1.2, zorder=5)
+        axes.plot([entry["lights"]], [time], marker="o", markersize=9, markerfacecolor="none", markeredgecolor="black",
+                  linestyle="none", zorder=5, label=CROSSOVER_LABEL)
+        axes.annotate(f"{entry['lights']:.3g}", (entry["lights"], time), xytext=(7, -11), textcoords="offset points", fontsize=8,
+                      zorder=6, path_effects=[patheffects.withStroke(linewidth=2, foreground="white")])
+
+
 def draw_time(report, scene, cells, paths):
     """A figure, or why there is none."""
     shown = {panel: series for panel, group in data.panels(cells).items() if (series := _times(group))}
     if not shown:
         return None, "no arm was measured at two light counts"
-    arms = [arm for series in shown.values() for arm in series]
-    styles, names = style.ArmStyles(paths, arms), data.arm_names(arms)
-    height = max(3.8, 1.0 + 0.2 * len(names))  # the legend's
-    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time over the number of lights", len(shown), 4.2, height)
+    order = _order(shown)
+    styles, names = style.ArmStyles(paths, order), data.arm_names(order)
+    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: time over the number of lights", len(shown), PANEL_WIDTH_IN,
+                                      _height_in(names))
     for axes, (panel, series) in zip(panels, shown.items()):
         for arm, points in series.items():
             _draw(axes, points, arm, styles, names[arm])
+        _mark_envelope(axes, report, scene, panel, series)
         style.light_axis(axes, [point[0] for points in series.values() for point in points])
         style.log_axis(axes.yaxis, *_ends(series))
         axes.set_ylabel("time per frame (ms)")
         axes.set_title(panel.title)
-    # One legend for all panels.
-    handles = {label: handle for axes in panels for handle, label in zip(*axes.get_legend_handles_labels())}
-    panels[-1].legend(handles.values(), handles.keys(), loc="upper left", bbox_to_anchor=(1.02, 1))
+    _shared_legend(panels, [names[arm] for arm in order])
+    return figure, None
+
+
+def _evaluations(cells):
+    """{arm: points}: light evaluations made for each that must be."""
+    series = {}
+    for cell in sorted(cells, key=lambda cell: cell["params"]["lights"]):
+        work = cell["work"] or {}
+        made, needed = work.get("light_evaluations"), work.get("light_hits")
+        if made and needed:
+            series.setdefault(data.arm_of(cell["params"]), []).append((cell["params"]["lights"], *3 * (made / needed,)))
+    return {arm: points for arm, points in series.items() if len(points) > 1}
+
+
+def draw_evaluations(report, scene, cells, paths):
+    """A figure, or why there is none."""
+    shown = {panel: series for panel, group in data.panels(cells).items() if (series := _evaluations(group))}
+    if not shown:
+        return None, "no arm's light evaluations were counted at two light counts"
+    order = _order(shown)
+    styles, names = style.ArmStyles(paths, order), data.arm_names(order)
+    figure, panels = style.panel_grid(report, f"{data.name_of(scene)}: light evaluations made for each that must be", len(shown),
+                                      PANEL_WIDTH_IN, _height_in(names))
+    for axes, (panel, series) in zip(panels, shown.items()):
+        axes.axhline(1, color=style.FAINT, linewidth=1, label="none in vain")
+        for arm, points in series.items():
+            _draw(axes, points, arm, styles, names[arm])
+        style.light_axis(axes, [point[0] for points in series.values() for point in points])
+        low, high = _ends(series)
+        style.log_axis(axes.yaxis, min(low, 0.95), max(high, 1.3))
+        axes.set_ylabel("made / must be made")
+        axes.set_title(panel.title)
+    _shared_legend(panels, [names[arm] for arm in order])
     return figure, None
 
 
@@ -88,22 +180,24 @@ def _statement(name, crossover):
     return textwrap.fill(text, STATEMENT_LETTERS, subsequent_indent="    ")
 
 
-def _mark(axes, crossover, color, counts):
+def _mark(axes, crossover, color, counts, with_interval):
     """The crossover on the line at 1: its interval as a bar, as far as was measured where it is open."""
+    axes.plot([crossover["lights"]], [1], marker="|", markersize=14, markeredgewidth=2, color=color, zorder=4)
+    if not with_interval:
+        return
     low = min(counts) if crossover["low"] is None else crossover["low"]
     high = max(counts) if crossover["high"] is None else crossover["high"]
     axes.plot([low, high], [1, 1], color=color, linewidth=5, alpha=0.35, solid_capstyle="butt", zorder=3)
-    axes.plot([crossover["lights"]], [1], marker="|", markersize=14, markeredgewidth=2, color=color, zorder=4)
 
 
 def _ratio_panel(axes, series, crossovers, styles, names):
     counts = [point[0] for points in series.values() for point in points]
     axes.axhline(1, color=style.FAINT, linewidth=1, label="forward")
-    for arm, points in series.items():
+    for arm in _slowest_first(series):
         crossover = crossovers.get(arm)
-        _draw(axes, points, arm, styles, _statement(names[arm], crossover))
+        _draw(axes, series[arm], arm, styles, _statement(names[arm], crossover))
         if crossover and crossover["lights"] is not None:
-            _mark(axes, crossover, styles.color(arm), counts)
+            _mark(axes, crossover, styles.color(arm), counts, with_interval=len(series) <= MOST_BARS)
     style.light_axis(axes, counts)
     low, high = _ends(series)
     style.log_axis(axes.yaxis, min(low, 0.95), max(high, 1.05))

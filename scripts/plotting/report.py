@@ -19,6 +19,7 @@ class Arm(NamedTuple):
     path: str
     layout: str | None
     hdr: str
+    light_lists: str | None = None
 
 
 class Panel(NamedTuple):
@@ -56,7 +57,7 @@ def name_of(value):
 
 
 def arm_of(params):
-    return Arm(params["path"], params["layout"], params["hdr"])
+    return Arm(params["path"], params["layout"], params["hdr"], params.get("light_lists"))
 
 
 def panel_of(params):
@@ -86,10 +87,18 @@ def panels(cells):
     return {panel: list(by_panel[panel].values()) for panel in order}
 
 
+def light_counts(cells):
+    """Those that were measured, rising."""
+    return sorted({cell["params"]["lights"] for cell in cells})
+
+
+def with_lights(cells, count):
+    return [cell for cell in cells if cell["params"]["lights"] == count]
+
+
 def most_lights(cells):
     """The cells with the largest light count among `cells`."""
-    largest = max(cell["params"]["lights"] for cell in cells)
-    return [cell for cell in cells if cell["params"]["lights"] == largest]
+    return with_lights(cells, light_counts(cells)[-1])
 
 
 def filled(middle, low, high):
@@ -142,11 +151,14 @@ def arm_names(arms):
     arms = list(dict.fromkeys(arms))
     several_layouts = len({arm.layout for arm in arms if arm.layout}) > 1
     several_hdr = len({arm.hdr for arm in arms}) > 1
+    several_lists = len({arm.light_lists for arm in arms if arm.light_lists}) > 1
     names = {}
     for arm in arms:
         words = [arm.path]
         if arm.layout and several_layouts:
             words.append(name_of(arm.layout))
+        if arm.light_lists and several_lists:
+            words.append(f"{arm.light_lists} lists")
         if several_hdr:
             words.append(arm.hdr)
         names[arm] = ", ".join(words)

@@ -39,16 +39,46 @@ matplotlib.rcParams.update({
 })
 
 
+# A path's colour says how it finds its lights, its line which family it is of: twins share the colour. Other paths than these get
+# the colours that are left.
+PATH_COLORS = {
+    "forward": "#000000", "deferred": "#000000",
+    "forward_prepass": "#777777",
+    "forward_multipass": "#E69F00", "deferred_scissor": "#E69F00",
+    "deferred_volumes": "#D55E00", "light_prepass": "#CC79A7",
+    "forward_tiled": "#0072B2", "deferred_tiled": "#0072B2",
+    "forward_clustered": "#009E73", "deferred_clustered": "#009E73",
+    "visibility": "#56B4E9",
+}
+FAMILY_LINES = {"forward": "-", "deferred": "--"}
+OTHER_FAMILY_LINE = ":"
+PATH_MARKERS = dict(zip(PATH_COLORS, MARKERS))
+
+
+def _all_different(paths, table, choices):
+    """{path: its entry in the table, or a choice that no path of the table has, as far as they go}"""
+    left = [choice for choice in choices if choice not in {table[path] for path in paths if path in table}] or choices
+    others = [path for path in paths if path not in table]
+    return {path: table[path] for path in paths if path in table} | {
+        path: left[i % len(left)] for i, path in enumerate(others)}
+
+
 class ArmStyles:
-    """Colour by path, line by layout and HDR format, and a marker for each arm. The colours go by `paths`, which all the
-    pictures of a report share; the rest tells the `arms` of one picture apart."""
+    """Colour by path; a marker for each arm; the line by layout, light lists and HDR format where they differ, else by the path's
+    family. The colours go by `paths`, which all the pictures of a report share; the rest tells the `arms` of one picture apart."""
 
     def __init__(self, paths, arms):
         arms = list(dict.fromkeys(arms))
-        variants = list(dict.fromkeys((arm.layout, arm.hdr) for arm in arms if arm.layout))
-        self._color = {path: LINE_COLORS[i % len(LINE_COLORS)] for i, path in enumerate(paths)}
-        self._line = {variant: LINES[i % len(LINES)] for i, variant in enumerate(variants)}
-        self._marker = {arm: MARKERS[i % len(MARKERS)] for i, arm in enumerate(arms)}
+        variants = list(dict.fromkeys(self._variant(arm) for arm in arms if arm.layout))
+        several = len(arms) > len({arm.path for arm in arms})
+        self._color = _all_different(paths, PATH_COLORS, LINE_COLORS)
+        self._line = {variant: LINES[i % len(LINES)] for i, variant in enumerate(variants)} if several else None
+        markers = _all_different([arm.path for arm in arms], PATH_MARKERS, MARKERS)
+        self._marker = {arm: MARKERS[i % len(MARKERS)] if several else markers[arm.path] for i, arm in enumerate(arms)}
+
+    @staticmethod
+    def _variant(arm):
+        return arm.layout, arm.light_lists, arm.hdr
 
     def color(self, arm):
         return self._color[arm.path]
@@ -58,8 +88,9 @@ class ArmStyles:
 
     def line(self, arm):
         """Keyword arguments for `plot`."""
-        return {"color": self.color(arm), "marker": self.marker(arm),
-                "linestyle": self._line.get((arm.layout, arm.hdr), "-")}
+        family = FAMILY_LINES.get(arm.path.split("_")[0], OTHER_FAMILY_LINE)
+        look = family if self._line is None else self._line.get(self._variant(arm), "-")
+        return {"color": self.color(arm), "marker": self.marker(arm), "linestyle": look}
 
 
 def _footer(report):
@@ -104,6 +135,8 @@ def light_axis(axes, counts):
     axes.set_xticks(counts[::-1][::step][::-1])
     axes.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
     axes.xaxis.set_minor_locator(ticker.NullLocator())
+    if len(counts) > 6:
+        axes.tick_params(axis="x", labelsize=7.5)
     axes.set_xlabel("lights")
 
 

@@ -18,10 +18,19 @@ layout(binding = kNormalUnit) uniform sampler2D normal_texture;
 layout(binding = kEmissiveUnit) uniform sampler2D emissive_texture;
 #endif
 
+// The texel for `uv`. GL takes the mip level from the neighbouring fragments, which are of the same triangle when meshes are
+// drawn. With MATERIAL_GRADIENTS, for full-screen passes, it takes it from `uv_per_pixel` instead.
+#ifdef MATERIAL_GRADIENTS
+mat2 uv_per_pixel;  // columns: the difference to the next pixel in x, in y
+vec4 sample_material(sampler2D map, vec2 uv) { return textureGrad(map, uv, uv_per_pixel[0], uv_per_pixel[1]); }
+#else
+vec4 sample_material(sampler2D map, vec2 uv) { return texture(map, uv); }
+#endif
+
 // Discards what the alpha mask cuts away.
 void apply_alpha_mask(vec2 uv) {
 #if defined(HAS_ALPHA_MASK) && defined(HAS_BASE_COLOR_TEXTURE)
-    if (texture(base_color_texture, uv).a < material.alpha_cutoff) discard;
+    if (sample_material(base_color_texture, uv).a < material.alpha_cutoff) discard;
 #endif
 }
 
@@ -38,7 +47,7 @@ Surface evaluate_material(vec3 position, vec3 normal, vec4 tangent, vec2 uv, boo
     s.normal = safe_normalize(normal, vec3(0.0, 1.0, 0.0));
 #ifdef HAS_NORMAL_TEXTURE
     // glTF 2.0, 3.9.3: tangent space, bitangent = cross(normal, tangent) * w. Left unnormalised as MikkTSpace asks.
-    vec3 mapped = (texture(normal_texture, uv).xyz * 2.0 - 1.0) * vec3(material.normal_scale, material.normal_scale, 1.0);
+    vec3 mapped = (sample_material(normal_texture, uv).xyz * 2.0 - 1.0) * vec3(material.normal_scale, material.normal_scale, 1.0);
     vec3 bitangent = cross(normal, tangent.xyz) * tangent.w;
     s.normal = safe_normalize(mapped.x * tangent.xyz + mapped.y * bitangent + mapped.z * normal, s.normal);
 #endif
@@ -47,19 +56,19 @@ Surface evaluate_material(vec3 position, vec3 normal, vec4 tangent, vec2 uv, boo
 #endif
     s.base_color = material.base_color;
 #ifdef HAS_BASE_COLOR_TEXTURE
-    s.base_color *= texture(base_color_texture, uv).rgb;
+    s.base_color *= sample_material(base_color_texture, uv).rgb;
 #endif
     s.roughness = material.roughness;
     s.metallic = material.metallic;
 #ifdef HAS_METALLIC_ROUGHNESS_TEXTURE
-    vec2 roughness_metallic = texture(metallic_roughness_texture, uv).gb;
+    vec2 roughness_metallic = sample_material(metallic_roughness_texture, uv).gb;
     s.roughness *= roughness_metallic.x;
     s.metallic *= roughness_metallic.y;
 #endif
     s.specular = material.specular * mix(1.0, luminance(s.base_color), material.specular_from_luminance);
     s.emissive = material.emissive;
 #ifdef HAS_EMISSIVE_TEXTURE
-    s.emissive *= texture(emissive_texture, uv).rgb;
+    s.emissive *= sample_material(emissive_texture, uv).rgb;
 #endif
     s.model = material.model;
     return s;

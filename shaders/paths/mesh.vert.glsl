@@ -1,15 +1,6 @@
 // Every pass that draws meshes. DEPTH_ONLY: position (and texture coordinates where a mask needs them) alone.
 // OUTPUT_INSTANCE: which instance it is, too.
-#include "lib/frame.glsl"
-
-layout(binding = kInstanceUnit) uniform samplerBuffer instance_texels;
-
-InstanceData instance_at(uint index) {
-    int first = int(index) * 6;
-    return InstanceData(texelFetch(instance_texels, first), texelFetch(instance_texels, first + 1),
-                        texelFetch(instance_texels, first + 2), texelFetch(instance_texels, first + 3),
-                        texelFetch(instance_texels, first + 4), texelFetch(instance_texels, first + 5));
-}
+#include "lib/instance.glsl"
 
 layout(location = kPositionAttribute) in vec3 position;
 layout(location = kNormalAttribute) in vec3 normal;
@@ -35,11 +26,7 @@ layout(location = 4) flat out uint out_instance;
 
 void main() {
     InstanceData i = instance_at(instance_index);
-    // Both differences are of nearby numbers: exact, or nearly so, however far from the origin the camera is.
-    vec3 translation = (vec3(i.axis_x.w, i.axis_y.w, i.axis_z.w) - frame.camera_high) +
-                       (vec3(i.normal_x.w, i.normal_y.w, i.normal_z.w) - frame.camera_low);
-    vec3 rotated = i.axis_x.xyz * position.x + i.axis_y.xyz * position.y + i.axis_z.xyz * position.z;
-    vec3 world = rotated + translation;
+    vec3 world = to_world(i, position) + instance_origin(i);
     gl_Position = frame.clip_from_world * vec4(world, 1.0);
     out_texcoord = texcoord;
 #ifdef OUTPUT_INSTANCE
@@ -47,12 +34,9 @@ void main() {
 #endif
 #ifndef DEPTH_ONLY
     out_position = world;
-    out_normal = normalize(i.normal_x.xyz * normal.x + i.normal_y.xyz * normal.y + i.normal_z.xyz * normal.z);
+    out_normal = world_normal(i, normal);
 #ifdef HAS_NORMAL_TEXTURE
-    vec3 along = i.axis_x.xyz * tangent.x + i.axis_y.xyz * tangent.y + i.axis_z.xyz * tangent.z;
-    // A mirrored instance turns the bitangent round with it.
-    float mirror = dot(cross(i.axis_x.xyz, i.axis_y.xyz), i.axis_z.xyz) < 0.0 ? -1.0 : 1.0;
-    out_tangent = vec4(dot(along, along) > 0.0 ? normalize(along) : vec3(1.0, 0.0, 0.0), tangent.w * mirror);
+    out_tangent = world_tangent(i, tangent);
 #endif
 #endif
 }

@@ -1,4 +1,4 @@
-// deferred_volumes: what no light volume adds (emission, ambient, directional lights, background).
+// deferred_scissor, deferred_volumes: what no single light adds (emission, ambient, directional lights, background).
 #include "lib/gbuffer_pixel.glsl"
 #include "lib/shade.glsl"
 
@@ -11,5 +11,5 @@ void main() {
         return;
     }
     Surface s = read_surface(gl_FragCoord.xy, depth);
-    color = vec4(shade_base(s, view_direction(s)), 1.0);
+    color = vec4(shade_base(s), 1.0);
 }

@@ -1,5 +1,8 @@
 // Which cells of the light grid a light touches: one text for the CPU's list builder and the compute shader's, so that
 // both make the same lists. Only what GLSL and C++ read alike; GLSL includes shared/types.h before.
+//
+// The bounds of lights are grown by 2^-12 of their distance and more (light_bounds.h): a thousand times what rounding
+// takes here, so that nothing below rounds outwards.
 #ifdef __cplusplus
 #pragma once
 #include <shaders/shared/types.h>
@@ -32,7 +35,8 @@ LIGHTSWEEP_INLINE uint slice_of(LightGridData grid, float z) {
     return uint(clamp(slice, 0.0F, float(grid.slices - 1U)));
 }
 
-// The view distance at which slice `slice` begins; 0 for the first.
+// The view distance at which slice `slice` begins; 0 for the first. No light reaches a surface beyond
+// slice_begin(grid, grid.slices), where the last slice ends.
 LIGHTSWEEP_INLINE float slice_begin(LightGridData grid, uint slice) {
     return slice == 0U ? 0.0F : exp2((float(slice) - grid.slice_offset) / grid.slice_scale);
 }
@@ -49,57 +53,77 @@ LIGHTSWEEP_INLINE CellBounds cell_bounds(LightGridData grid, uint tile_x, uint t
     return cell;
 }
 
-LIGHTSWEEP_INLINE vec3 cell_low(CellBounds cell) {
-    return vec3(min(cell.slopes.x * cell.z_low, cell.slopes.x * cell.z_high),
-                min(cell.slopes.y * cell.z_low, cell.slopes.y * cell.z_high), cell.z_low);
+LIGHTSWEEP_INLINE float distance_outside(float value, float low, float high) {
+    return max(max(low - value, value - high), 0.0F);
 }
 
-LIGHTSWEEP_INLINE vec3 cell_high(CellBounds cell) {
-    return vec3(max(cell.slopes.z * cell.z_low, cell.slopes.z * cell.z_high),
-                max(cell.slopes.w * cell.z_low, cell.slopes.w * cell.z_high), cell.z_high);
+// How far `across` is from what lies between two slopes and two view distances, seen along the view.
+LIGHTSWEEP_INLINE float distance_across(float across, float slope_low, float slope_high, float z_low, float z_high) {
+    return distance_outside(across, min(slope_low * z_low, slope_low * z_high),
+                            max(slope_high * z_low, slope_high * z_high));
 }
 
-LIGHTSWEEP_INLINE bool sphere_touches_box(vec3 center, float radius, vec3 low, vec3 high) {
-    vec3 beyond = max(max(low - center, center - high), vec3(0.0F));
-    return dot(beyond, beyond) <= radius * radius;
+// The lowest and the highest slope across / z in the part of a disc around (across, z) with z_low <= z <= z_high (after
+// Mara and McGuire 2013, "2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere"). The slope along the
+// disc's edge has one extremum on either side: where the line from the eye is tangent, or, when that is not in the
+// part, at the end next to it. An eye inside the disc has no tangent and sees the extrema at the near end.
+LIGHTSWEEP_INLINE vec2 disc_slopes(float across, float z, float radius_squared, float z_low, float z_high) {
+    float radius = sqrt(radius_squared);
+    float begin = max(z_low, z - radius), end = min(z_high, z + radius);
+    float distance_squared = across * across + z * z;
+    float tangent = sqrt(max(distance_squared - radius_squared, 0.0F));
+    float scale = tangent / max(distance_squared, 1e-20F);
+    float z_lowest = min(max((z * tangent + across * radius) * scale, begin), end);
+    float z_highest = min(max((z * tangent - across * radius) * scale, begin), end);
+    float chord_lowest = sqrt(max(radius_squared - (z_lowest - z) * (z_lowest - z), 0.0F));
+    float chord_highest = sqrt(max(radius_squared - (z_highest - z) * (z_highest - z), 0.0F));
+    return vec2((across - chord_lowest) / max(z_lowest, 1e-20F), (across + chord_highest) / max(z_highest, 1e-20F));
 }
 
-// Whether a sphere is not wholly beyond the plane through the eye whose points have the slope `slope`; `across` is the
-// centre's x or y, positive beyond the plane after `side` (1 or -1).
-LIGHTSWEEP_INLINE bool sphere_touches_side(float across, float z, float radius, float slope, float side) {
-    float beyond = side * (across - slope * z);
-    return beyond <= 0.0F || beyond * beyond <= radius * radius * (1.0F + slope * slope);
+// The least dot(direction, p) of the cell's points p.
+LIGHTSWEEP_INLINE float least_along(CellBounds cell, vec3 direction) {
+    float per_z = min(direction.x * cell.slopes.x, direction.x * cell.slopes.z) +
+                  min(direction.y * cell.slopes.y, direction.y * cell.slopes.w) + direction.z;
+    return min(per_z * cell.z_low, per_z * cell.z_high);
 }
 
-// Of the six planes, near and far are the box's own.
-LIGHTSWEEP_INLINE bool sphere_touches_sides(vec3 center, float radius, vec4 slopes) {
-    return sphere_touches_side(center.x, center.z, radius, slopes.x, -1.0F) &&
-           sphere_touches_side(center.y, center.z, radius, slopes.y, -1.0F) &&
-           sphere_touches_side(center.x, center.z, radius, slopes.z, 1.0F) &&
-           sphere_touches_side(center.y, center.z, radius, slopes.w, 1.0F);
+// Whether a spot touches a cell: not when its range ends before, nor when a plane has the cell on one side and the cone
+// on the other. Two planes are tried: across the axis through the apex, and along the cone's side that faces the middle
+// of the cell. One comparison, so that loops over cells become vector code.
+LIGHTSWEEP_INLINE bool cone_touches_cell(LightBounds light, CellBounds cell) {
+    float beside_x = distance_across(light.apex.x, cell.slopes.x, cell.slopes.z, cell.z_low, cell.z_high);
+    float beside_y = distance_across(light.apex.y, cell.slopes.y, cell.slopes.w, cell.z_low, cell.z_high);
+    float beside_z = distance_outside(light.apex.z, cell.z_low, cell.z_high);
+    float beyond_range =
+        beside_x * beside_x + beside_y * beside_y + beside_z * beside_z - light.range * light.range;
+    float behind_apex = dot(light.axis, light.apex) + least_along(cell, -light.axis);
+    float middle_z = 0.5F * (cell.z_low + cell.z_high);
+    vec3 to_middle = vec3(0.5F * (cell.slopes.x + cell.slopes.z) * middle_z,
+                          0.5F * (cell.slopes.y + cell.slopes.w) * middle_z, middle_z) - light.apex;
+    vec3 across = to_middle - dot(to_middle, light.axis) * light.axis;
+    float sin_half_angle = sqrt(max(1.0F - light.cos_half_angle * light.cos_half_angle, 0.0F));
+    vec3 outwards = across * (light.cos_half_angle / max(length(across), 1e-20F)) - sin_half_angle * light.axis;
+    float beside_cone = least_along(cell, outwards) - dot(outwards, light.apex);
+    return max(max(beyond_range, behind_apex), beside_cone) <= 0.0F;
 }
 
-// Whether a cone (half angle below 90 degrees) touches a sphere (Wronski 2017, "Cull that cone!").
-LIGHTSWEEP_INLINE bool cone_touches_sphere(vec3 apex, vec3 axis, float range, float cos_half_angle, vec3 center,
-                                           float radius) {
-    vec3 to_center = center - apex;
-    float along = dot(to_center, axis);
-    float across = sqrt(max(dot(to_center, to_center) - along * along, 0.0F));
-    float sin_half_angle = sqrt(max(1.0F - cos_half_angle * cos_half_angle, 0.0F));
-    bool beside = cos_half_angle * across - sin_half_angle * along > radius;
-    return !beside && along <= radius + range && along >= -radius;
-}
-
-// Never false for a cell that holds a point which the light reaches.
+// Never false for a cell that holds a point which the light reaches. The light's sphere is cut by the cell's view
+// distances, then by its rows: what is left is held against its columns.
 LIGHTSWEEP_INLINE bool light_touches_cell(LightBounds light, CellBounds cell) {
-    vec3 low = cell_low(cell);
-    vec3 high = cell_high(cell);
-    if (!sphere_touches_box(light.center, light.radius, low, high)) return false;
-    if (!sphere_touches_sides(light.center, light.radius, cell.slopes)) return false;
+    float radius_squared = light.radius * light.radius;
+    cell.z_low = max(cell.z_low, light.center.z - light.radius);
+    cell.z_high = min(cell.z_high, light.center.z + light.radius);
+    if (cell.z_low > cell.z_high) return false;
+    vec2 rows = disc_slopes(light.center.y, light.center.z, radius_squared, cell.z_low, cell.z_high);
+    if (rows.x > cell.slopes.w || rows.y < cell.slopes.y) return false;
+    float beside_y = distance_across(light.center.y, cell.slopes.y, cell.slopes.w, cell.z_low, cell.z_high);
+    float beside_z = distance_outside(light.center.z, cell.z_low, cell.z_high);
+    float row_radius_squared = radius_squared - beside_y * beside_y;
+    if (beside_z * beside_z > row_radius_squared) return false;
+    vec2 columns = disc_slopes(light.center.x, light.center.z, row_radius_squared, cell.z_low, cell.z_high);
+    if (columns.x > cell.slopes.z || columns.y < cell.slopes.x) return false;
     if (light.cos_half_angle <= 0.0F) return true;
-    return sphere_touches_box(light.apex, light.range, low, high) &&
-           cone_touches_sphere(light.apex, light.axis, light.range, light.cos_half_angle, 0.5F * (low + high),
-                               0.5F * length(high - low));
+    return cone_touches_cell(light, cell);
 }
 
 #ifdef __cplusplus

@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True
 
 from plotting import flip_maps  # noqa: E402  (the path comes first)
 from plotting import report as data  # noqa: E402
+from plotting import style  # noqa: E402
 
 HDR = "rgba16f"
 ARMS = (("forward", None), ("deferred", "oct32"), ("deferred", "my/own layout.json"))
@@ -67,6 +68,7 @@ def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128,
                            "path": path, "layout": layout, "hdr": HDR},
                 "statistics": {"wall_ns": estimate(ns, open_ended=count == 0), "gpu_ns": estimate(0.9 * ns),
                                "passes": {"gbuffer": estimate(0.8 * ns), "unattributed": estimate(-5)}},
+                "work": {"light_evaluations": 30 * (number + 1) * (count + 1), "light_hits": 30 * count},
                 "error": error(0.001 * number, layout),
             })
             if number > 0:
@@ -79,7 +81,7 @@ def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128,
         report["crossovers"].append({
             "scene": scenes[0], "width_px": 64, "height_px": 36, "overlap": None,
             "a": {"path": path, "layout": layout, "hdr": HDR}, "b": {"path": "forward", "layout": None, "hdr": HDR},
-            "lights": 2.5, "low": None, "high": 7, "reason": None})
+            "on_envelope": layout == "oct32", "lights": 2.5, "low": None, "high": 7, "reason": None})
     report["cells"].append({**report["cells"][0], "id": "failed", "status": "error", "statistics": None, "error": None})
     return report
 
@@ -119,7 +121,8 @@ class Plot(unittest.TestCase):
         report = made_up_report()
         self.write_maps(report)
         files, said = self.plot(report)
-        self.assertEqual(files, self.names("time_over_lights_cornell", "ratio_to_forward_cornell", "time_per_pass_cornell",
+        self.assertEqual(files, self.names("time_over_lights_cornell", "ratio_to_forward_cornell",
+                                           "evaluations_over_lights_cornell", "time_per_pass_cornell",
                                            "time_against_error_cornell", "field_errors_cornell", "flip_maps_cornell"))
         self.assertEqual(said, [])
 
@@ -175,7 +178,7 @@ class Plot(unittest.TestCase):
         self.write_maps(report)
         (self.folder / "maps" / f"{report['cells'][-2]['id']}.png").write_bytes(b"\x89PNG")
         done = script("plot.py", write_json(self.folder / "report.json", report), "--out", self.folder / "pictures")
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 3), done.stderr)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 4), done.stderr)
         self.assertIn("maps: a map cannot be read", done.stderr.splitlines()[-1])
 
     def test_the_crossover_and_its_absence_are_written_down(self):
@@ -186,10 +189,73 @@ class Plot(unittest.TestCase):
         self.assertIn("deferred, oct32: crossover at 2.5 lights [open, 7]", words)
         self.assertIn("deferred, own layout: no crossover: forward is faster at every", words)
 
+    def test_where_another_becomes_the_fastest_is_marked(self):
+        report = made_up_report(sizes=((64, 36),))
+        self.plot(report)
+        self.assertIn("another becomes the fastest", self.words_in("time_over_lights_cornell"))
+        for entry in report["crossovers"]:
+            entry["on_envelope"] = False
+        self.plot(report)
+        self.assertNotIn("another becomes the fastest", self.words_in("time_over_lights_cornell"))
+
+    def test_the_legend_is_in_the_order_of_the_lines(self):
+        # The times rise with the number of the arm.
+        self.plot(made_up_report(sizes=((64, 36),)))
+        words = self.words_in("time_over_lights_cornell")
+        self.assertLess(words.index("deferred, own layout"), words.index("deferred, oct32"))
+        self.assertLess(words.index("deferred, oct32"), words.index("forward"))
+
+    def test_evaluations_that_were_not_counted_are_left_out(self):
+        report = made_up_report(lights=(0, 1, 8))
+        self.plot(report)
+        self.assertIn("light evaluations made for each that must be", self.words_in("evaluations_over_lights_cornell"))
+        for cell in report["cells"]:
+            cell["work"] = {"light_evaluations": 5} if cell["params"]["path"] == "forward" else None
+        for name in self.names("evaluations_over_lights_cornell"):
+            (self.folder / "pictures" / name).unlink()
+        self.assertTrue(any("no evaluations_over_lights of cornell" in line for line in self.plot(report)[1]))
+
+    def test_passes_at_the_light_counts_asked_for(self):
+        self.plot(made_up_report(), "--lights", "1,8")
+        words = self.words_in("time_per_pass_cornell")
+        for title in ("64\u00d736, 1 lights", "64\u00d736, 8 lights", "128\u00d772, 1 lights", "128\u00d772, 8 lights"):
+            self.assertIn(title, words)
+        self.plot(made_up_report(), "--lights", "5")  # none has so many: the largest count, as without
+        self.assertIn("64\u00d736, 8 lights", self.words_in("time_per_pass_cornell"))
+        done = script("plot.py", self.folder / "report.json", "--lights", "many")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+
+    def test_passes_of_arms_that_lie_far_apart_are_shown_as_shares(self):
+        report = made_up_report(lights=(4,), sizes=((64, 36),))
+        self.plot(report)
+        self.assertIn("GPU time per frame (ms)", self.words_in("time_per_pass_cornell"))
+        slowest = report["cells"][2]["statistics"]
+        slowest["gpu_ns"] = estimate(1e9)
+        slowest["passes"]["gbuffer"] = estimate(1e9)
+        self.plot(report)
+        words = self.words_in("time_per_pass_cornell")
+        self.assertIn("share of the GPU time (%)", words)
+        self.assertIn("1e+03 ms", words)
+
+    def test_every_path_of_a_sweep_looks_its_own_way(self):
+        paths = [*style.PATH_COLORS, "mine", "mine_too"]
+        for arms in ([data.Arm(path, None, HDR) for path in paths], [data.Arm("deferred", layout, HDR) for layout in "abc"]):
+            looks = style.ArmStyles([arm.path for arm in arms], arms)
+            lines = [tuple(looks.line(arm)[key] for key in ("color", "linestyle", "marker")) for arm in arms]
+            self.assertEqual(len(set(lines)), len(arms))
+        alone = style.ArmStyles(["deferred_tiled"], [data.Arm("deferred_tiled", "oct32", HDR)])
+        self.assertEqual(alone.line(data.Arm("deferred_tiled", "oct32", HDR))["color"], style.PATH_COLORS["deferred_tiled"])
+
+    def test_builders_of_light_lists_are_told_apart(self):
+        arms = [data.Arm("deferred_tiled", "oct32", HDR, lists) for lists in ("cpu", "compute")]
+        self.assertEqual(list(data.arm_names(arms).values()), ["deferred_tiled, cpu lists", "deferred_tiled, compute lists"])
+        looks = style.ArmStyles(["deferred_tiled"], arms)
+        self.assertNotEqual(looks.line(arms[0]), looks.line(arms[1]))
+
     def test_what_has_no_data_is_left_out_with_a_line(self):
         files, said = self.plot(made_up_report(lights=(4,), arms=ARMS[:1]))
         self.assertEqual(files, self.names("time_per_pass_cornell"))
-        self.assertEqual(len(said), 5)
+        self.assertEqual(len(said), 6)
         self.assertTrue(all(line.startswith("plot.py: no ") and "cornell" in line for line in said), said)
 
     def test_scenes_with_one_name(self):

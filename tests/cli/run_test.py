@@ -102,10 +102,52 @@ class Runs(ProgramTest):
         plotted = script("plot.py", self.folder / "report.json", "--out", self.folder / "pictures")
         self.assertEqual(plotted.returncode, 0, plotted.stderr)
         names = {f"{figure}_cornell.{kind}" for kind in ("png", "svg")
-                 for figure in ("time_over_lights", "ratio_to_forward", "time_per_pass", "time_against_error", "field_errors")}
+                 for figure in ("time_over_lights", "ratio_to_forward", "evaluations_over_lights", "time_per_pass",
+                                                  "time_against_error", "field_errors")}
         self.assertEqual({path.name for path in (self.folder / "pictures").iterdir()}, names)
         self.assertEqual(len(plotted.stdout.splitlines()), len(names))
         self.assertIn("no flip_maps of cornell", plotted.stderr)
+
+
+class SlowArms(ProgramTest):
+    """Arms whose frame takes longer than asked for: drawn once, not sampled, not drawn with more lights, and no failure."""
+
+    SLOW_PLAN = ("-a", "scene=cornell", "-a", "path=forward,deferred", "-a", "layout=oct32", "-a", "lights=1,4,16",
+                 "-a", "size=32x32", "--max-frame", "0.001ms")
+
+    def assert_slow(self, report):
+        self.assertEqual({status: count for status, count in report["summary"]["counts"].items() if count},
+                         {"timeout": 2, "skipped": 4})
+        self.assertTrue(report["summary"]["complete"])
+        self.assertAlmostEqual(report["run"]["max_frame_s"], 1e-6)
+        for cell in report["cells"]:
+            self.assertEqual(cell["too_slow_at_lights"], 1)
+            self.assertEqual(cell["status"], "timeout" if cell["params"]["lights"] == 1 else "skipped")
+            self.assertEqual(cell["error"] is not None, cell["status"] == "timeout")
+            self.assertIn("s, more than the 1e-06 s allowed", cell["reason"])
+
+    def test_too_slow_is_no_failure_and_is_remembered(self):
+        done = self.assert_done(*RUN, *self.SLOW_PLAN, "--out", "out")
+        self.assertIn("2 cells were too slow to sample; 4 with as many lights or more were not drawn", done.stdout)
+        self.assert_slow(self.assert_valid_report("out/report.json"))
+
+        # What goes on after the first group knows what it found, and does not draw the others to find it again.
+        journal = self.folder / "out/journal.jsonl"
+        journal.write_text("".join(journal.read_text(encoding="utf-8").splitlines(keepends=True)[:2]), encoding="utf-8")
+        self.assert_done(*RUN, *self.SLOW_PLAN, "--out", "out", "--resume")
+        self.assert_slow(self.assert_valid_report("out/report.json"))
+
+    def test_a_sweep_may_say_it(self):
+        blocks = [{"scene": "cornell", "lights": 4, "size": "32x32", "path": "forward"}]
+        self.write("mine.json", {"summary": "s", "blocks": blocks, "max_frame_s": 1e-6})
+        self.assert_done(*RUN, "mine.json", "--out", "slow")
+        self.assertEqual(json_of(self.folder / "slow/report.json")["summary"]["counts"]["timeout"], 1)
+        self.assert_done(*RUN, "mine.json", "--max-frame", "1000s", "--time-budget", "0.1s", "--out", "fast")
+        self.assertEqual(json_of(self.folder / "fast/report.json")["summary"]["counts"]["ok"], 1)
+
+    def test_bad_limits(self):
+        for limit in ("slow", "0s", "-1s", "2h"):
+            self.assert_refused([*RUN, f"--max-frame={limit}", "--out", "out"], f"--max-frame {limit}", "2s or 500ms")
 
 
 class Answers(ProgramTest):
@@ -172,6 +214,7 @@ class Smoke(ProgramTest):
             listed = self.assert_done("list", what).stdout.splitlines()[2:]
             self.assertEqual({line.split()[0] for line in listed}, {cell["params"][axis] for cell in report["cells"]} - {None})
         self.assertEqual({cell["params"]["hdr"] for cell in report["cells"]}, {"rgba16f", "rgba32f", "r11g11b10f"})
+        self.assertLessEqual({"cpu", "compute"}, {cell["params"]["light_lists"] for cell in report["cells"]})
         self.assert_checks_find_faults(json_of(self.folder / "out/report.json"))
 
     def assert_checks_find_faults(self, report):

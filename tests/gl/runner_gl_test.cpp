@@ -1,6 +1,7 @@
 // The runner on a small group: every sample kept and adding up, failures recorded, a planted cost found.
 #include "bench/measure/group_runner.h"
 #include "bench/measure/known_work.h"
+#include "bench/measure/list_probe.h"
 #include "bench/report/pairs.h"
 #include "bench/stats/linear_fit.h"
 #include "bench/stats/quantile.h"
@@ -19,6 +20,8 @@
 namespace lightsweep {
 namespace {
 
+using testing::AllOf;
+using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -32,6 +35,7 @@ PlanGroup group_of(const std::string& scene, int lights, const std::vector<std::
         cell.height = 72;
         cell.path = path;
         cell.layout = layout;
+        if (find_path(path).uses_light_lists) cell.light_lists = "auto";
         group.cells.push_back(cell);
     }
     group.key = group.cells.front().group();
@@ -75,6 +79,17 @@ TEST(GroupRunner, KeepsEverySampleAndTheyAddUp) {
     ASSERT_TRUE(result.noise);
     EXPECT_EQ(result.noise->wall_ns.size(), 8U);
     EXPECT_EQ(result.noise->arm, result.cells.front().name);
+    // Every path has the same lights to evaluate, and none can do with fewer. (A light in range may be lit from
+    // behind.)
+    for (const auto& cell : result.cells) {
+        const CellWork& work = *cell.work;
+        EXPECT_EQ(work.light_hits, result.cells.front().work->light_hits);
+        EXPECT_GE(*work.light_evaluations, *work.light_hits) << cell.name;
+        EXPECT_DOUBLE_EQ(*work.false_positive_rate,
+                         1.0 - static_cast<double>(*work.light_hits) / static_cast<double>(*work.light_evaluations));
+        EXPECT_FALSE(work.list_entries) << "no path here lists lights";
+        EXPECT_FALSE(cell.light_lists);
+    }
     // A volume touches a pixel only where the light reaches: never more evaluations than a full-screen pass.
     EXPECT_LE(*result.cells[2].work->light_evaluations, *result.cells[1].work->light_evaluations);
 }
@@ -181,6 +196,124 @@ TEST(GroupRunner, AFailedCellIsRecordedAndTheRestGoesOn) {
         EXPECT_EQ(cell.status, CellStatus::skipped);
         EXPECT_THAT(*cell.reason, HasSubstr("limit"));
     }
+}
+
+TEST(GroupRunner, AnArmTooSlowIsDrawnOnceAndNotWithMoreLights) {
+    SceneStore scenes;
+    const std::atomic<bool> never{false};
+    GroupRunner runner(scenes, "finish_clock", never);
+    SamplingRules rules{.min_rounds = 2, .max_rounds = 2};
+    rules.max_frame_s = 1e-9;  // nothing is as fast
+    const auto run = [&](int lights) {
+        return runner.run(group_of("cornell", lights, {{"forward", ""}, {"deferred", "oct32"}}), rules, [](double) {});
+    };
+    const auto slow = run(4);
+    for (const auto& cell : slow.cells) {
+        EXPECT_EQ(cell.status, CellStatus::timeout);
+        EXPECT_THAT(*cell.reason, AllOf(HasSubstr("a frame takes"), HasSubstr("1e-09 s")));
+        EXPECT_EQ(cell.too_slow_at_lights, 4);
+        EXPECT_GT(*cell.first_frame_ns, 0);
+        EXPECT_TRUE(cell.error && cell.error->reference) << "it was drawn";
+        EXPECT_TRUE(cell.work && cell.work->light_hits && !cell.work->light_evaluations);
+        EXPECT_EQ(cell.samples.count(), 0U);
+        EXPECT_FALSE(cell.stop_reason);
+    }
+    EXPECT_FALSE(slow.noise);
+    const auto more = run(8);
+    for (const auto& cell : more.cells) {
+        EXPECT_EQ(cell.status, CellStatus::skipped);
+        EXPECT_THAT(*cell.reason, AllOf(HasSubstr("with 4 lights a frame takes"), HasSubstr("not drawn")));
+        EXPECT_EQ(cell.too_slow_at_lights, 4);
+        EXPECT_FALSE(cell.first_frame_ns || cell.work || cell.error);
+    }
+    EXPECT_FALSE(more.reference) << "nothing was drawn";
+    EXPECT_EQ(run(2).cells.front().status, CellStatus::timeout) << "fewer lights may be fast enough";
+    rules.max_frame_s = 1e9;
+    EXPECT_EQ(run(1).cells.front().status, CellStatus::ok);
+}
+
+TEST(GroupRunner, RemembersTheSlowArmsOfAJournal) {
+    SceneStore scenes;
+    const std::atomic<bool> never{false};
+    const SamplingRules rules{.min_rounds = 2, .max_rounds = 2};
+    GroupResult planted = run_group(group_of("cornell", 4, {{"forward", ""}, {"deferred", "oct32"}}), 2);
+    planted.cells[0].status = CellStatus::timeout;
+    planted.cells[0].reason = "a frame takes 9 s";
+    planted.cells[0].too_slow_at_lights = 4;
+    GroupRunner runner(scenes, "finish_clock", never);
+    runner.remember(from_json<GroupResult>(Json::parse(line_text(to_json(planted))), "journal"));
+    const auto result =
+        runner.run(group_of("cornell", 6, {{"forward", ""}, {"deferred", "oct32"}}), rules, [](double) {});
+    EXPECT_EQ(result.cells[0].status, CellStatus::skipped);
+    EXPECT_THAT(*result.cells[0].reason, HasSubstr("with 4 lights a frame takes 9 s"));
+    EXPECT_EQ(result.cells[1].status, CellStatus::ok);
+    EXPECT_EQ(result.cells[1].samples.count(), 2U);
+    EXPECT_EQ(result.noise->arm, result.cells[1].name) << "the twin is of an arm that is there";
+}
+
+TEST(GroupRunner, SaysWhoBuiltTheLightListsAndHowLongTheyAre) {
+    PlanGroup group = group_of("atrium", 64, {{"deferred", "oct32"}, {"deferred_clustered", "oct32"}});
+    group.cells[1].light_lists = "cpu";
+    for (const char* builder : {"compute", "auto"}) {
+        group.cells.push_back(group.cells[1]);
+        group.cells.back().light_lists = builder;
+    }
+    const auto result = run_group(group, 2);
+    for (size_t i = 1; i < result.cells.size(); ++i) {
+        const CellResult& cell = result.cells[i];
+        ASSERT_EQ(cell.status, CellStatus::ok) << cell.reason.value_or("");
+        ASSERT_TRUE(cell.light_lists) << cell.name;
+        EXPECT_EQ(cell.light_lists->asked, group.cells[i].light_lists);
+        EXPECT_EQ(cell.params.light_lists, group.cells[i].light_lists);
+        // Both builders make the same lists.
+        EXPECT_EQ(cell.work->list_entries, result.cells[1].work->list_entries) << cell.name;
+        EXPECT_GT(*cell.work->list_entries, 0);
+        EXPECT_EQ(cell.work->light_evaluations, result.cells[1].work->light_evaluations) << cell.name;
+        EXPECT_GE(*cell.work->light_evaluations, *cell.work->light_hits);
+        EXPECT_LT(*cell.work->light_evaluations, *result.cells[0].work->light_evaluations) << "lists are shorter";
+    }
+    EXPECT_EQ(result.cells[2].light_lists->used, "compute");
+    const ListChoice& automatic = *result.cells[3].light_lists;
+    EXPECT_THAT(automatic.used, AnyOf("cpu", "compute"));
+    EXPECT_THAT(automatic.why, AllOf(HasSubstr("cpu "), HasSubstr("compute"), HasSubstr("1,024 lights")));
+
+    // A run that goes on takes what was chosen before, whatever a second probe would say.
+    SceneStore scenes;
+    const std::atomic<bool> never{false};
+    GroupRunner runner(scenes, "finish_clock", never);
+    GroupResult before = result;
+    before.cells[3].light_lists = ListChoice{.asked = "auto", .used = "compute", .why = "as planted"};
+    runner.remember(before);
+    group.cells = {group.cells[3]};
+    const auto after = runner.run(group, {.min_rounds = 2, .max_rounds = 2}, [](double) {});
+    EXPECT_EQ(after.cells.front().light_lists->used, "compute");
+    EXPECT_EQ(after.cells.front().light_lists->why, "as planted");
+}
+
+TEST(GroupRunner, TheControlOfManyLightsIsThatOfFew) {
+    // Either side of the count from which the control takes the listed lights alone.
+    PlanGroup group = group_of("atrium", 256, {{"deferred", "float32"}, {"deferred_clustered", "float32"}});
+    for (auto& cell : group.cells) {
+        cell.hdr = "rgba32f";
+        if (!cell.light_lists.empty()) cell.light_lists = "cpu";
+    }
+    for (const int lights : {256, 257}) {
+        for (auto& cell : group.cells) cell.lights = lights;
+        group.key = group.cells.front().group();
+        for (const auto& cell : run_group(group, 2).cells) {
+            ASSERT_TRUE(cell.error && cell.error->control) << cell.name;
+            EXPECT_LT(*cell.error->control->hdr.value("max_rel"), 1e-4) << cell.name;
+        }
+    }
+}
+
+TEST(ListProbe, TimesBothBuildersAndNamesTheFaster) {
+    const ListProbe probe = probe_light_lists();
+    EXPECT_GT(probe.cpu_ns, 0);
+    ASSERT_TRUE(probe.compute_ns);
+    EXPECT_GT(*probe.compute_ns, 0);
+    EXPECT_EQ(probe.faster() == ListBuilder::compute, *probe.compute_ns < probe.cpu_ns);
+    EXPECT_EQ(to_json(probe).at("faster"), probe.faster() == ListBuilder::cpu ? "cpu" : "compute");
 }
 
 TEST(GroupRunner, StopsWhenInterrupted) {

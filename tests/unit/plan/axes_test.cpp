@@ -30,9 +30,12 @@ TEST(Axes, lists_ranges_and_stars_stand_for_their_values) {
     EXPECT_THAT(values("lights", "0,pow2:19:20,default"), ElementsAre("0", "524288", "1048576", "default"));
     EXPECT_THAT(values("size", "640x360,1280x720"), ElementsAre("640x360", "1280x720"));
     EXPECT_THAT(values("overlap", "fixed,scene,2.5"), ElementsAre("fixed", "scene", "2.5"));
-    EXPECT_THAT(values("path", "*"), ElementsAre("forward", "forward_prepass", "deferred", "deferred_volumes"));
+    EXPECT_THAT(values("path", "*"), ElementsAre("forward", "forward_prepass", "forward_clustered", "deferred",
+                                                 "deferred_volumes", "deferred_tiled"));
     EXPECT_THAT(values("layout", "*"), ElementsAre("float32", "oct16", "oct32"));
     EXPECT_THAT(values("scene", "*"), ElementsAre("atrium", "cornell", "materials"));
+    EXPECT_THAT(values("light_lists", "*"), ElementsAre("cpu", "compute"));
+    EXPECT_THAT(values("light_lists", "auto,cpu"), ElementsAre("auto", "cpu"));
     EXPECT_THAT(values("hdr", "*"), ElementsAre("rgba16f", "rgba32f", "r11g11b10f"));
 }
 
@@ -80,6 +83,8 @@ TEST(Axes, an_error_names_axis_value_nearest_name_and_what_is_allowed) {
     EXPECT_THAT(input_error([] { values("scene", "no_such_scene"); }),
                 AllOf(StartsWith("scene=no_such_scene: "), HasSubstr("known: "), HasSubstr("path of a file")));
     EXPECT_THAT(input_error([] { values("hdr", "rgba8"); }), AllOf(StartsWith("hdr=rgba8: "), HasSubstr("rgba32f")));
+    EXPECT_THAT(input_error([] { values("light_lists", "gpu"); }),
+                AllOf(StartsWith("light_lists=gpu: "), HasSubstr("auto, cpu or compute")));
     EXPECT_THAT(input_error([] { values("layout", ""); }), AllOf(StartsWith("layout: "), HasSubstr("a layout's key")));
 }
 

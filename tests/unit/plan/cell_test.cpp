@@ -17,6 +17,7 @@ const CellParams kDeferred{.scene = "atrium",
                            .overlap = std::nullopt,
                            .path = "deferred",
                            .layout = "oct16",
+                           .light_lists = "",
                            .hdr = "rgba16f"};
 
 TEST(Cell, name_is_one_line_of_the_fields_in_order) {
@@ -35,6 +36,18 @@ TEST(Cell, name_leaves_out_the_layout_of_a_path_without_one_and_the_scenes_own_o
     EXPECT_EQ(cell.name(), "scene=atrium lights=default size=640x360 overlap=2.5 path=forward hdr=rgba16f");
 }
 
+TEST(Cell, name_says_who_builds_the_light_lists_of_a_path_with_some) {
+    CellParams cell = kDeferred;
+    cell.path = "deferred_tiled";
+    cell.light_lists = "auto";
+    EXPECT_EQ(cell.name(),
+              "scene=atrium lights=64 size=640x360 path=deferred_tiled layout=oct16 light_lists=auto hdr=rgba16f");
+    EXPECT_EQ(cell.group(), kDeferred.group());
+    const std::string automatic = cell.id();
+    cell.light_lists = "cpu";
+    EXPECT_NE(cell.id(), automatic) << "what was asked, not what it came to";
+}
+
 TEST(Cell, parsing_a_name_gives_the_cell_back) {
     for (const std::optional<int> lights :
          {std::optional<int>{}, std::optional<int>{0}, std::optional<int>{kMaxLights}}) {
@@ -42,15 +55,18 @@ TEST(Cell, parsing_a_name_gives_the_cell_back) {
                                                     std::optional<double>{0.1}, std::optional<double>{8.0}}) {
             for (const std::string scene : {"atrium", "my models/a yard.json", "../x/lights.gltf"}) {
                 for (const std::string layout : {"", "oct16", "my layouts/a b.json"}) {
-                    const CellParams cell{.scene = scene,
-                                          .lights = lights,
-                                          .width = 1,
-                                          .height = kMaxExtentPx,
-                                          .overlap = overlap,
-                                          .path = "deferred",
-                                          .layout = layout,
-                                          .hdr = "r11g11b10f"};
-                    EXPECT_EQ(parse_cell(cell.name()), cell) << cell.name();
+                    for (const std::string light_lists : {"", "auto", "compute"}) {
+                        const CellParams cell{.scene = scene,
+                                              .lights = lights,
+                                              .width = 1,
+                                              .height = kMaxExtentPx,
+                                              .overlap = overlap,
+                                              .path = "deferred",
+                                              .layout = layout,
+                                              .light_lists = light_lists,
+                                              .hdr = "r11g11b10f"};
+                        EXPECT_EQ(parse_cell(cell.name()), cell) << cell.name();
+                    }
                 }
             }
         }
@@ -61,7 +77,7 @@ TEST(Cell, id_is_the_hash_of_the_name_and_differs_with_every_field) {
     EXPECT_EQ(kDeferred.id().size(), 16U);
     EXPECT_EQ(kDeferred.id(), CellParams(kDeferred).id());
     for (const std::string changed : {"scene=cornell", "lights=65", "size=640x361", "overlap=fixed", "path=forward",
-                                      "layout=oct32", "hdr=rgba32f"}) {
+                                      "layout=oct32", "light_lists=cpu", "hdr=rgba32f"}) {
         CellParams cell = kDeferred;
         const size_t equals = changed.find('=');
         set_cell_field(cell, find_cell_field(changed.substr(0, equals)), changed.substr(equals + 1));

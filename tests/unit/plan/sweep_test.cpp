@@ -34,8 +34,24 @@ TEST(Sweep, a_block_is_the_product_of_its_axes) {
 }
 
 TEST(Sweep, a_path_without_a_layout_is_one_cell_for_the_whole_layout_axis) {
-    // 1 forward + 1 forward_prepass + 2 paths x 3 layouts.
-    EXPECT_THAT(cell_names(R"([{"scene": "cornell", "path": "*", "layout": "*"}])"), SizeIs(8));
+    // 3 forward paths + 3 paths x 3 layouts.
+    EXPECT_THAT(cell_names(R"([{"scene": "cornell", "path": "*", "layout": "*"}])"), SizeIs(12));
+}
+
+TEST(Sweep, a_path_without_light_lists_is_one_cell_for_the_whole_axis) {
+    EXPECT_THAT(
+        cell_names(R"([{"scene": "cornell", "lights": 4, "light_lists": "*",
+                                "path": ["forward", "deferred", "forward_clustered", "deferred_tiled"]}])"),
+        ElementsAre("scene=cornell lights=4 size=640x360 path=forward hdr=rgba16f",
+                    "scene=cornell lights=4 size=640x360 path=deferred layout=oct32 hdr=rgba16f",
+                    "scene=cornell lights=4 size=640x360 path=forward_clustered light_lists=cpu hdr=rgba16f",
+                    "scene=cornell lights=4 size=640x360 path=forward_clustered light_lists=compute hdr=rgba16f",
+                    "scene=cornell lights=4 size=640x360 path=deferred_tiled layout=oct32 light_lists=cpu "
+                    "hdr=rgba16f",
+                    "scene=cornell lights=4 size=640x360 path=deferred_tiled layout=oct32 light_lists=compute "
+                    "hdr=rgba16f"));
+    EXPECT_THAT(cell_names(R"([{"scene": "cornell", "lights": 4, "path": "forward_clustered"}])"),
+                ElementsAre("scene=cornell lights=4 size=640x360 path=forward_clustered light_lists=auto hdr=rgba16f"));
 }
 
 TEST(Sweep, blocks_are_united_and_duplicates_dropped) {
@@ -55,15 +71,18 @@ TEST(Sweep, an_override_replaces_its_axis_in_every_block) {
 
 TEST(Sweep, options_are_read_and_may_be_missing) {
     const auto full = parse_sweep(
-        R"({"summary": "s", "blocks": [{"scene": "atrium"}], "time_budget_s": 9.5, "target_ci": 0.05, "maps": true})",
+        R"({"summary": "s", "blocks": [{"scene": "atrium"}], "time_budget_s": 9.5, "target_ci": 0.05, "max_frame_s": 1.5,
+            "maps": true})",
         "a.json", test_catalog());
     EXPECT_EQ(full.summary, "s");
     EXPECT_EQ(full.time_budget_s, 9.5);
     EXPECT_EQ(full.target_ci, 0.05);
+    EXPECT_EQ(full.max_frame_s, 1.5);
     EXPECT_TRUE(full.maps);
     const auto bare = parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium"}]})", "a.json", test_catalog());
     EXPECT_EQ(bare.time_budget_s, std::nullopt);
     EXPECT_EQ(bare.target_ci, std::nullopt);
+    EXPECT_EQ(bare.max_frame_s, std::nullopt);
     EXPECT_FALSE(bare.maps);
 }
 
@@ -82,6 +101,11 @@ TEST(Sweep, a_bad_file_is_refused_with_the_place) {
     EXPECT_THROW(parse_sweep(R"({"summary": "s", "blocks": [{}], "time_budget_s": -1})", "a", test_catalog()),
                  InputError);
     EXPECT_THAT(input_error([] {
+                    parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium"}], "max_frame_s": 0})", "a",
+                                test_catalog());
+                }),
+                StartsWith("a:/max_frame_s: "));
+    EXPECT_THAT(input_error([] {
                     parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium"}], "maps": 1})", "a", test_catalog());
                 }),
                 StartsWith("a:/maps: "));
@@ -91,7 +115,7 @@ TEST(Sweep, a_bad_file_is_refused_with_the_place) {
 TEST(Sweep, shipped_sweeps_load_and_have_cells_of_known_names) {
     const auto catalog = shipped_catalog(test_catalog().paths);
     const auto keys = resource_keys("bench/sweeps", ".json");
-    ASSERT_THAT(keys, ::testing::IsSupersetOf({"default", "layouts", "smoke"}));
+    ASSERT_THAT(keys, ::testing::IsSupersetOf({"default", "layouts", "paths", "smoke"}));
     for (const auto& key : keys) {
         const auto sweep = load_sweep(key, catalog);
         EXPECT_FALSE(sweep.summary.empty()) << key;
@@ -103,10 +127,10 @@ TEST(Sweep, smoke_meets_every_scene_path_layout_and_hdr_format) {
     const auto catalog = shipped_catalog(test_catalog().paths);
     std::set<std::string> met;
     for (const auto& cell : sweep_cells(load_sweep("smoke", catalog), {}, catalog)) {
-        met.insert({cell.scene, cell.path, cell.layout, cell.hdr});
+        met.insert({cell.scene, cell.path, cell.layout, cell.light_lists, cell.hdr});
         EXPECT_LE(cell.width * cell.height, 64 * 64);
     }
-    for (const auto& names : {catalog.scenes, catalog.layouts, kHdrFormats}) {
+    for (const auto& names : {catalog.scenes, catalog.layouts, kHdrFormats, {"cpu", "compute"}}) {
         for (const auto& name : names) EXPECT_TRUE(met.contains(name)) << name;
     }
     for (const auto& path : catalog.paths) EXPECT_TRUE(met.contains(path.key)) << path.key;

@@ -12,7 +12,12 @@
 namespace lightsweep {
 
 inline Catalog test_catalog() {
-    return {.paths = {{"forward", false}, {"forward_prepass", false}, {"deferred", true}, {"deferred_volumes", true}},
+    return {.paths = {{"forward"},
+                      {"forward_prepass"},
+                      {"forward_clustered", false, true},
+                      {"deferred", true},
+                      {"deferred_volumes", true},
+                      {"deferred_tiled", true, true}},
             .layouts = {"float32", "oct16", "oct32"},
             .scenes = {"atrium", "cornell", "materials"}};
 }

@@ -49,6 +49,38 @@ TEST(Record, values_survive_the_round_trip) {
     EXPECT_EQ(back.wall_s, 2.0);
 }
 
+TEST(Record, light_lists_and_slow_arms_survive_the_round_trip) {
+    auto journal = synthetic_journal(
+        {{"forward", ""}, {"deferred_tiled", "oct16"}}, {4}, [](const CellParams&) { return 1e6; }, 5);
+    time_out(journal.groups[0].cells[0]);
+    const Json json = to_json(journal.groups[0]);
+    EXPECT_EQ(json.at("cells")[1].at("light_lists"),
+              (Json{{"asked", "auto"}, {"used", "cpu"}, {"why", "cpu 1 ms, compute 2 ms"}}));
+    EXPECT_TRUE(json.at("cells")[0].at("light_lists").is_null());
+    EXPECT_TRUE(json.at("cells")[0].at("params").at("light_lists").is_null());
+    const auto back = from_json<GroupResult>(Json::parse(line_text(json)), "x");
+    EXPECT_EQ(back.cells[0].status, CellStatus::timeout);
+    EXPECT_EQ(back.cells[0].too_slow_at_lights, 4);
+    EXPECT_EQ(back.cells[1].too_slow_at_lights, std::nullopt);
+    EXPECT_EQ(back.cells[1].params.light_lists, "auto");
+    EXPECT_EQ(back.cells[1].light_lists->used, "cpu");
+    EXPECT_EQ(back.cells[1].work->light_hits, 300);
+    EXPECT_EQ(back.cells[1].work->false_positive_rate, 0.25);
+    EXPECT_EQ(back.cells[1].work->list_entries, 77);
+    EXPECT_EQ(back.cells[0].work->light_hits, std::nullopt);
+    EXPECT_EQ(from_json<RunInfo>(to_json(synthetic_run(3)), "x").max_frame_s, 1.5);
+}
+
+TEST(Record, what_may_be_null_may_be_missing_in_files_of_before) {
+    Json json = to_json(one_group());
+    for (auto& cell : json["cells"]) {
+        for (const char* key : {"light_lists", "too_slow_at_lights"}) cell.erase(key);
+        cell["params"].erase("light_lists");
+        for (const char* key : {"light_hits", "false_positive_rate", "list_entries"}) cell["work"].erase(key);
+    }
+    EXPECT_EQ(to_json(from_json<GroupResult>(json, "x")), to_json(one_group()));
+}
+
 TEST(Record, errors_survive_the_round_trip) {
     GroupResult group = one_group();
     group.cells[1].error->control->display.identical = true;

@@ -31,6 +31,7 @@ inline RunInfo synthetic_run(int64_t planned_cells) {
             .started_at = "2024-05-01T12:00:00Z",
             .time_budget_s = 60.0,
             .target_ci = 0.02,
+            .max_frame_s = 1.5,
             .max_error = {},
             .max_time_ns = {}};
 }
@@ -80,6 +81,7 @@ inline CellParams arm(const std::string& path, const std::string& layout, int li
             .overlap = 0.0,
             .path = path,
             .layout = layout,
+            .light_lists = path.ends_with("tiled") || path.ends_with("clustered") ? "auto" : "",
             .hdr = "rgba16f"};
 }
 
@@ -146,6 +148,13 @@ inline CellResult synthetic_cell(const CellParams& params, double median_ns, Syn
     cell.params = params;
     cell.warnings = {"blended materials are drawn as opaque"};
     cell.work = CellWork{.draws = 3, .triangles = 36, .light_evaluations = std::nullopt, .skipped = {{"tangent", 1}}};
+    if (!params.light_lists.empty()) {
+        cell.light_lists = ListChoice{.asked = "auto", .used = "cpu", .why = "cpu 1 ms, compute 2 ms"};
+        cell.work->light_hits = 300;
+        cell.work->light_evaluations = 400;
+        cell.work->false_positive_rate = 0.25;
+        cell.work->list_entries = 77;
+    }
     cell.first_frame_ns = 36'000'000;
     cell.stop_reason = "target_ci";
     cell.samples.round = clock.rounds();
@@ -165,6 +174,15 @@ inline CellResult synthetic_cell(const CellParams& params, double median_ns, Syn
         cell.error->fields = {{"normal", "deg", 0.02, 0.05, 0.1}, {"roughness", "abs", 0.0, 0.0, 0.0}};
     }
     return cell;
+}
+
+/// A frame was too slow to sample the cell.
+inline void time_out(CellResult& cell) {
+    cell.status = CellStatus::timeout;
+    cell.reason = "a frame takes 3.2 s, more than the 1.5 s allowed";
+    cell.too_slow_at_lights = cell.params.lights;
+    cell.samples = {};
+    cell.stop_reason.reset();
 }
 
 /// One group per light count, each with every arm and a twin of its first.

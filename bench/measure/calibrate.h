@@ -1,0 +1,25 @@
+// The cost model of this machine: measured once on shipped scenes, kept on disk beside the references.
+#pragma once
+
+#include "bench/measure/arm.h"
+#include "bench/measure/cost_model.h"
+
+#include <functional>
+#include <optional>
+
+namespace lightsweep {
+
+/// The features of a subject's frame; builds it and its light lists on the CPU, draws nothing.
+CostFeatures cost_features(const Subject& subject);
+
+/// Measures every path on shipped scenes at a few sizes and light counts. About a minute on a software renderer.
+/// `progress` is told the share that is done.
+CostModel calibrate_costs(const Environment& environment, ListBuilder light_lists,
+                          const std::function<void(double)>& progress);
+
+/// The model kept for this environment; nothing when there is none yet.
+std::optional<CostModel> find_cost_model(const Environment& environment);
+/// Keeps it; a folder that cannot be written is no error.
+void keep_cost_model(const CostModel& model);
+
+}  // namespace lightsweep

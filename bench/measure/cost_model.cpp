@@ -1,0 +1,127 @@
+#include "bench/measure/cost_model.h"
+
+#include "bench/stats/nonnegative_fit.h"
+#include "renderer/base/check.h"
+#include "renderer/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lightsweep {
+namespace {
+
+// Raised whenever cost_terms changes: coefficients of other terms mean nothing.
+constexpr int kModelVersion = 1;
+
+const std::vector<std::string> kSearchNames{"all", "listed", "each"};
+
+// Evaluations cost what the scene's shading models cost; where a driver branches on none of them, all of them.
+void add_per_model(double evaluations, const CostFeatures& frame, std::vector<double>& terms) {
+    for (const bool present : frame.models) terms.push_back(present ? evaluations : 0.0);
+}
+
+}  // namespace
+
+std::vector<double> cost_terms(LightSearch search, const CostFeatures& frame) {
+    std::vector<double> terms{1.0, frame.draws, frame.triangles, frame.pixels, frame.pixels * frame.texture_kinds};
+    switch (search) {
+        case LightSearch::all:
+            add_per_model(frame.pixels * frame.lights, frame, terms);
+            break;
+        case LightSearch::listed:
+            terms.push_back(frame.lights);
+            terms.push_back(frame.cells);
+            terms.push_back(frame.cells * frame.listed_lights);
+            add_per_model(frame.pixels * frame.listed_lights, frame, terms);
+            break;
+        case LightSearch::each:
+            terms.push_back(frame.lights);
+            terms.push_back(frame.light_rectangles_px);
+            // Meshes drawn once for each light that may reach them.
+            terms.push_back(frame.triangles * frame.light_rectangles_px / frame.pixels);
+            add_per_model(frame.pixels * frame.listed_lights, frame, terms);
+            break;
+    }
+    return terms;
+}
+
+PathCost fit_path_cost(LightSearch search, const std::vector<CostSample>& samples) {
+    CHECK(!samples.empty());
+    std::vector<std::vector<double>> rows;
+    for (const auto& sample : samples) {
+        auto terms = cost_terms(search, sample.frame);
+        for (double& term : terms) term /= sample.ns;
+        rows.push_back(std::move(terms));
+    }
+    PathCost cost{.search = search,
+                  .ns_per_term = nonnegative_fit(rows, std::vector<double>(rows.size(), 1.0)),
+                  .samples = static_cast<int64_t>(samples.size())};
+    double squares = 0.0;
+    for (const auto& sample : samples) squares += std::pow(expected_ns(cost, sample.frame) / sample.ns - 1.0, 2);
+    cost.fit_error = std::sqrt(squares / static_cast<double>(samples.size()));
+    return cost;
+}
+
+double expected_ns(const PathCost& cost, const CostFeatures& frame) {
+    const auto terms = cost_terms(cost.search, frame);
+    CHECK_THAT(terms.size() == cost.ns_per_term.size(), "{} terms, {} coefficients", terms.size(),
+               cost.ns_per_term.size());
+    double ns = 0.0;
+    for (size_t i = 0; i < terms.size(); ++i) ns += terms[i] * cost.ns_per_term[i];
+    return ns;
+}
+
+Json to_json(const CostModel& model) {
+    Json paths = Json::object();
+    for (const auto& [key, cost] : model.paths) {
+        paths[key] = {{"lights", kSearchNames[static_cast<size_t>(cost.search)]},
+                      {"ns_per_term", cost.ns_per_term},
+                      {"fit_error", cost.fit_error},
+                      {"samples", cost.samples}};
+    }
+    return {{"version", kModelVersion}, {"fingerprint", model.fingerprint}, {"paths", paths}};
+}
+
+std::optional<CostModel> parse_cost_model(const std::string& text) {
+    try {
+        const Json json = Json::parse(text);
+        if (json.at("version") != kModelVersion) return std::nullopt;
+        CostModel model{.fingerprint = json.at("fingerprint").get<std::string>(), .paths = {}};
+        for (const auto& [key, value] : json.at("paths").items()) {
+            const auto search = std::ranges::find(kSearchNames, value.at("lights").get<std::string>());
+            if (search == kSearchNames.end()) return std::nullopt;
+            PathCost& cost = model.paths[key];
+            cost.search = static_cast<LightSearch>(search - kSearchNames.begin());
+            cost.ns_per_term = value.at("ns_per_term").get<std::vector<double>>();
+            cost.fit_error = value.at("fit_error").get<double>();
+            cost.samples = value.at("samples").get<int64_t>();
+        }
+        return model;
+    } catch (const Json::exception&) {  // a damaged or foreign file: measured again
+        return std::nullopt;
+    }
+}
+
+PathChoice choose_path(const CostModel& model, const CostFeatures& frame) {
+    if (model.paths.empty()) throw InputError("path=auto", "the cost model knows no path");
+    std::vector<std::pair<double, std::string>> cheapest_first;
+    PathChoice choice;
+    for (const auto& [key, cost] : model.paths) {
+        const double ns = expected_ns(cost, frame);
+        choice.expected_ns[key] = ns;
+        cheapest_first.emplace_back(ns, key);
+    }
+    std::ranges::sort(cheapest_first);
+    choice.path = cheapest_first.front().second;
+    choice.why = fmt::format("expected to take {:.3g} ms", cheapest_first.front().first * 1e-6);
+    if (cheapest_first.size() > 1) {
+        choice.why += fmt::format(", {} {:.3g} ms", cheapest_first[1].second, cheapest_first[1].first * 1e-6);
+    }
+    choice.why += fmt::format("; {:.0f} triangles, {:.3g} Mpx, {:.0f} lights in view, {:.3g} of them listed per cell",
+                              frame.triangles, frame.pixels * 1e-6, frame.lights, frame.listed_lights);
+    return choice;
+}
+
+}  // namespace lightsweep

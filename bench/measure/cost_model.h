@@ -1,0 +1,65 @@
+// What a frame of each path is expected to cost on this machine: a nonnegative combination of the work that the frame
+// asks for, fitted to cells that were measured (calibrate.h). Pure functions; the terms are the model.
+#pragma once
+
+#include "bench/report/record.h"
+#include "renderer/scene/scene.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lightsweep {
+
+/// How a path finds the lights of a pixel: it decides which work its time depends on.
+enum class LightSearch : uint8_t { all, listed, each };
+
+/// What is known of a frame before it is drawn.
+struct CostFeatures {
+    double draws = 0;
+    double triangles = 0;  ///< after frustum culling
+    double pixels = 0;
+    double texture_kinds = 0;                       ///< base colour, normal, ...: how many of them the scene samples
+    std::array<bool, kShadingModelCount> models{};  ///< by ShadingModel: whether the scene has it
+    double lights = 0;                              ///< points and spots that can reach the view
+    double listed_lights = 0;                       ///< of them, per cell of the clustered grid, on average
+    double cells = 0;                               ///< of that grid
+    double light_rectangles_px = 0;                 ///< sum of the lights' rectangles on the screen
+};
+
+/// The amounts of work of one path's frame, in the order of its coefficients.
+std::vector<double> cost_terms(LightSearch search, const CostFeatures& frame);
+
+/// One measured frame of a path.
+struct CostSample {
+    CostFeatures frame;
+    double ns = 0;
+};
+
+struct PathCost {
+    LightSearch search = LightSearch::all;
+    std::vector<double> ns_per_term;
+    double fit_error = 0;  ///< root mean square of (predicted - measured) / measured over the samples
+    int64_t samples = 0;
+};
+
+/// `samples` must not be empty. Every sample weighs the same, whatever its time.
+PathCost fit_path_cost(LightSearch search, const std::vector<CostSample>& samples);
+
+double expected_ns(const PathCost& cost, const CostFeatures& frame);
+
+struct CostModel {
+    std::string fingerprint;  ///< of the environment that it was measured in
+    std::map<std::string, PathCost> paths;
+};
+
+Json to_json(const CostModel& model);
+/// Nothing when the text is not a model of this program's version.
+std::optional<CostModel> parse_cost_model(const std::string& text);
+
+/// The path that `path=auto` stands for in one cell: the cheapest. Throws InputError when the model knows no path.
+PathChoice choose_path(const CostModel& model, const CostFeatures& frame);
+
+}  // namespace lightsweep

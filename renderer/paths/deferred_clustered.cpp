@@ -1,0 +1,35 @@
+// Clustered deferred (Olsson, Billeter and Assarsson 2012): G-buffer; lights are listed for cells of the view volume;
+// one full-screen pass shades each pixel with the lights of its cell.
+#include "renderer/pass/path.h"
+#include "renderer/pass/recorder.h"
+
+namespace lightsweep {
+namespace {
+
+Path build(const PathSetup& s) {
+    Path path;
+    const auto targets = path.add(s.layout.targets);
+    path.depth = path.add({.name = "depth", .format = s.layout.depth});
+    path.hdr = path.add({.name = "hdr", .format = s.hdr});
+    path.passes = {gbuffer_pass(s, targets, path.depth)};
+    list_lights(s, kClusters, path);
+    path.passes.push_back(
+        {.name = "shade",
+         .shader = {"paths/fullscreen", "paths/resolve", join(gbuffer_read_defines(s.layout), "LIGHT_GRID")},
+         .reads = join(targets, path.depth),
+         .writes = {{path.hdr, Load::discard}},
+         .record = draw_full_screen,
+         .shades = Shades::listed_lights_of_covered});
+    return path;
+}
+
+}  // namespace
+
+extern const PathInfo path_deferred_clustered;
+const PathInfo path_deferred_clustered{.key = "deferred_clustered",
+                                       .summary = "G-buffer, then the lights of each cell of the view volume",
+                                       .uses_layout = true,
+                                       .uses_light_lists = true,
+                                       .build = build};
+
+}  // namespace lightsweep
