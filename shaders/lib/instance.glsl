@@ -1,4 +1,4 @@
-// An instance's transform: what the vertex shader does with a vertex, and what rebuilding a vertex from its triangle does.
+// An instance's transform, for the vertex shader and for passes that fetch vertices themselves.
 #include "lib/frame.glsl"
 
 layout(binding = kInstanceUnit) uniform samplerBuffer instance_texels;
@@ -10,8 +10,8 @@ InstanceData instance_at(uint index) {
                         texelFetch(instance_texels, first + 4), texelFetch(instance_texels, first + 5));
 }
 
-// From the camera to the mesh's origin. Both differences are of nearby numbers: exact, or nearly so, however far from the
-// origin of the world the camera is.
+// From the camera to the mesh's origin. Both differences are of nearby numbers: exact, or nearly so, however far from
+// the world's origin the camera is.
 vec3 instance_origin(InstanceData i) {
     return (vec3(i.axis_x.w, i.axis_y.w, i.axis_z.w) - frame.camera_high) +
            (vec3(i.normal_x.w, i.normal_y.w, i.normal_z.w) - frame.camera_low);

@@ -18,8 +18,8 @@ layout(binding = kNormalUnit) uniform sampler2D normal_texture;
 layout(binding = kEmissiveUnit) uniform sampler2D emissive_texture;
 #endif
 
-// The texel for `uv`. GL takes the mip level from the neighbouring fragments, which are of the same triangle when meshes are
-// drawn. With MATERIAL_GRADIENTS, for full-screen passes, it takes it from `uv_per_pixel` instead.
+// The filtered texel at `uv`. GL finds the mip level from neighbouring fragments: of the same triangle where meshes are
+// drawn, but not in a full-screen pass, which says with MATERIAL_GRADIENTS that it sets `uv_per_pixel`.
 #ifdef MATERIAL_GRADIENTS
 mat2 uv_per_pixel;  // columns: the difference to the next pixel in x, in y
 vec4 sample_material(sampler2D map, vec2 uv) { return textureGrad(map, uv, uv_per_pixel[0], uv_per_pixel[1]); }
@@ -47,7 +47,8 @@ Surface evaluate_material(vec3 position, vec3 normal, vec4 tangent, vec2 uv, boo
     s.normal = safe_normalize(normal, vec3(0.0, 1.0, 0.0));
 #ifdef HAS_NORMAL_TEXTURE
     // glTF 2.0, 3.9.3: tangent space, bitangent = cross(normal, tangent) * w. Left unnormalised as MikkTSpace asks.
-    vec3 mapped = (sample_material(normal_texture, uv).xyz * 2.0 - 1.0) * vec3(material.normal_scale, material.normal_scale, 1.0);
+    vec3 mapped = sample_material(normal_texture, uv).xyz * 2.0 - 1.0;
+    mapped.xy *= material.normal_scale;
     vec3 bitangent = cross(normal, tangent.xyz) * tangent.w;
     s.normal = safe_normalize(mapped.x * tangent.xyz + mapped.y * bitangent + mapped.z * normal, s.normal);
 #endif

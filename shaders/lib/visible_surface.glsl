@@ -50,7 +50,8 @@ TrianglePlane triangle_plane(vec3 corner, vec3 edge1, vec3 edge2) {
 
 vec2 weights(TrianglePlane plane, vec3 ray) { return vec2(dot(ray, plane.weight1), dot(ray, plane.weight2)); }
 
-// How the weights change from the pixel at `ray` to the next one, whose ray is `step` further: (w + dw) / (n + dn) - w / n.
+// How the weights change from the pixel at `ray` to the next one, whose ray is `step` further:
+// (w + dw) / (n + dn) - w / n, without the difference.
 vec2 weight_step(TrianglePlane plane, vec3 ray, vec3 step) {
     float n = dot(ray, plane.normal), dn = dot(step, plane.normal);
     return (weights(plane, step) - weights(plane, ray) * (dn / n)) / (n + dn);
@@ -76,8 +77,8 @@ Surface visible_surface(vec2 frag_coord, uint instance, uint triangle, InstanceM
 
     vec3 ray = pixel_ray(frag_coord);
     float facing = dot(ray, plane.normal);
-    // The pixel's centre is inside, but for a rasteriser's rounding of window positions, which may be wider than a sliver.
-    // Seen edge-on, our own rounding would put it anywhere.
+    // The pixel's centre is inside, but for a rasteriser's rounding of window positions, which may be wider than a
+    // sliver. Seen edge-on, our own rounding would put it anywhere.
     vec2 w = clamp(weights(plane, ray) / facing, -kOutside, 1.0 + kOutside);
     float z0 = dot(corner, frame.ray_forward);
     float z1 = z0 + dot(edge1, frame.ray_forward), z2 = z0 + dot(edge2, frame.ray_forward);

@@ -23,7 +23,7 @@ LIGHTSWEEP_CONSTANT kLightIndexUnit = 7;  // texel buffer: the cells' lights, as
 LIGHTSWEEP_CONSTANT kTargetUnit = 8;  // targets that a pass reads: kTargetUnit + i, in the order of Pass::reads
 
 // Of passes that rebuild surfaces from triangles and read few targets.
-LIGHTSWEEP_CONSTANT kInstanceMeshUnit = 13;  // texel buffer: of each instance, GpuScene::InstanceMesh (RG32UI)
+LIGHTSWEEP_CONSTANT kInstanceMeshUnit = 13;  // texel buffer: what each instance draws (RG32UI)
 LIGHTSWEEP_CONSTANT kVertexUnit = 14;        // texel buffer: the scene's Vertex, three RGBA32F texels each
 LIGHTSWEEP_CONSTANT kIndexUnit = 15;         // texel buffer: R32UI
 
