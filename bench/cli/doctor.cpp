@@ -146,7 +146,7 @@ Command add_doctor(CLI::App& app) {
         app.add_subcommand("doctor", "devices, limits, timer self-test, noise floor, rounding and light list probes");
     options->device.add(*command);
     command->add_flag("--json", options->json, "for programs");
-    command->add_flag("--calibrate", options->calibrate, "measure the cost model of path=auto anew; about a minute");
+    command->add_flag("--calibrate", options->calibrate, "measure the cost model of path=auto anew; a few minutes");
     return [options] {
         Json json;
         json["devices"] = devices_json();

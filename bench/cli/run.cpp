@@ -167,9 +167,10 @@ JournalContent read_with_questions(const fs::path& journal_file, const RunInfo& 
     return journal;
 }
 
-bool asks_for_auto_path(const Plan& plan) {
-    return std::ranges::any_of(plan.groups, [](const PlanGroup& group) {
-        return std::ranges::any_of(group.cells, [](const CellParams& cell) { return cell.path == kAutoPath; });
+bool asks_for_auto_path(const Plan& plan, const std::set<std::string>& done) {
+    return std::ranges::any_of(plan.groups, [&](const PlanGroup& group) {
+        return !done.contains(group.key) &&
+               std::ranges::any_of(group.cells, [](const CellParams& cell) { return cell.path == kAutoPath; });
     });
 }
 
@@ -266,6 +267,9 @@ int run_sweep(const RunOptions& options, const std::vector<std::string>& argumen
         timer = options.timer.empty() ? choose_timer(test_timers(all_timers())) : choose_timer({}, options.timer);
     }
 
+    std::optional<CostModel> costs;
+    if (asks_for_auto_path(plan, done)) costs = known_costs(environment);
+
     SamplingRules rules{.target_ci = limits.target_ci};
     if (limits.max_frame_s) rules.max_frame_s = *limits.max_frame_s;
     if (options.maps || sweep.maps) rules.maps_folder = folder / "maps";
@@ -277,7 +281,7 @@ int run_sweep(const RunOptions& options, const std::vector<std::string>& argumen
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     GroupRunner runner(scenes, timer.method, interrupted);
-    if (asks_for_auto_path(plan)) runner.know_costs(known_costs(environment));
+    if (costs) runner.know_costs(std::move(*costs));
     for (const auto& group : begun.groups) runner.remember(group);
     run_groups(plan, done, runner, journal, limits.budget_s, rules, start_ns);
 

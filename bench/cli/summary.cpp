@@ -64,6 +64,11 @@ std::vector<std::string> error_columns(const Json& error) {
             share.is_null() ? "-" : fmt::format("{:.0f} %", 100.0 * share.get<double>())};
 }
 
+std::string path_text(const Json& cell) {
+    if (cell.at("auto_path").is_null()) return cell.at("params").at("path").get<std::string>();
+    return cell.at("auto_path").at("path").get<std::string>() + " (auto)";
+}
+
 // What all cells share is said once, above the table, which then fits a terminal.
 std::string cell_table(const Json& report) {
     const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "lists", "hdr"};
@@ -76,7 +81,7 @@ std::string cell_table(const Json& report) {
         std::vector<std::string> row{p.at("scene").get<std::string>(),
                                      p.at("lights").dump(),
                                      size_text(p),
-                                     p.at("path").get<std::string>(),
+                                     path_text(cell),
                                      p.at("layout").is_null() ? "" : p.at("layout").get<std::string>(),
                                      lists_text(cell.at("light_lists")),
                                      p.at("hdr").get<std::string>(),

@@ -13,36 +13,37 @@ namespace lightsweep {
 namespace {
 
 // Raised whenever cost_terms changes: coefficients of other terms mean nothing.
-constexpr int kModelVersion = 1;
+constexpr int kModelVersion = 2;
 
 const std::vector<std::string> kSearchNames{"all", "listed", "each"};
 
-// Evaluations cost what the scene's shading models cost; where a driver branches on none of them, all of them.
-void add_per_model(double evaluations, const CostFeatures& frame, std::vector<double>& terms) {
-    for (const bool present : frame.models) terms.push_back(present ? evaluations : 0.0);
+// Operations of one light evaluation: distance, window and direction, and what each shading model adds (counted in
+// shaders/lib). A scene with several models pays for all of them where a driver does not branch.
+constexpr double kLightOperations = 35.0;
+constexpr std::array<double, kShadingModelCount> kModelOperations{60.0, 35.0, 10.0};  // by ShadingModel
+
+double evaluation_weight(const CostFeatures& frame) {
+    double operations = kLightOperations;
+    for (size_t m = 0; m < kShadingModelCount; ++m) operations += frame.models[m] ? kModelOperations[m] : 0.0;
+    return operations;
 }
 
 }  // namespace
 
 std::vector<double> cost_terms(LightSearch search, const CostFeatures& frame) {
-    std::vector<double> terms{1.0, frame.draws, frame.triangles, frame.pixels, frame.pixels * frame.texture_kinds};
-    switch (search) {
-        case LightSearch::all:
-            add_per_model(frame.pixels * frame.lights, frame, terms);
-            break;
-        case LightSearch::listed:
-            terms.push_back(frame.lights);
-            terms.push_back(frame.cells);
-            terms.push_back(frame.cells * frame.listed_lights);
-            add_per_model(frame.pixels * frame.listed_lights, frame, terms);
-            break;
-        case LightSearch::each:
-            terms.push_back(frame.lights);
-            terms.push_back(frame.light_rectangles_px);
-            // Meshes drawn once for each light that may reach them.
-            terms.push_back(frame.triangles * frame.light_rectangles_px / frame.pixels);
-            add_per_model(frame.pixels * frame.listed_lights, frame, terms);
-            break;
+    const double per_fragment = search == LightSearch::all ? frame.lights : frame.listed_lights;
+    const double evaluations = per_fragment * evaluation_weight(frame);
+    std::vector<double> terms{1.0, frame.draws, frame.triangles, frame.pixels, frame.fragments,
+                              frame.fragments * frame.texture_kinds, frame.covered_pixels,
+                              frame.fragments * evaluations, frame.covered_pixels * evaluations,
+                              // A triangle's edges shade pixels that are thrown away.
+                              frame.triangles * evaluations};
+    if (search == LightSearch::listed) {
+        terms.insert(terms.end(), {frame.lights, frame.cells, frame.cells * frame.listed_lights});
+    } else if (search == LightSearch::each) {
+        // Meshes may be drawn once for each light that reaches them.
+        terms.insert(terms.end(), {frame.lights, frame.light_rectangles_px,
+                                   frame.triangles * frame.light_rectangles_px / frame.pixels});
     }
     return terms;
 }
@@ -97,6 +98,7 @@ std::optional<CostModel> parse_cost_model(const std::string& text) {
             cost.ns_per_term = value.at("ns_per_term").get<std::vector<double>>();
             cost.fit_error = value.at("fit_error").get<double>();
             cost.samples = value.at("samples").get<int64_t>();
+            if (cost.samples > 0 && cost.ns_per_term.size() != cost_terms(cost.search, {}).size()) return std::nullopt;
         }
         return model;
     } catch (const Json::exception&) {  // a damaged or foreign file: measured again
@@ -105,14 +107,15 @@ std::optional<CostModel> parse_cost_model(const std::string& text) {
 }
 
 PathChoice choose_path(const CostModel& model, const CostFeatures& frame) {
-    if (model.paths.empty()) throw InputError("path=auto", "the cost model knows no path");
     std::vector<std::pair<double, std::string>> cheapest_first;
     PathChoice choice;
     for (const auto& [key, cost] : model.paths) {
+        if (cost.samples == 0) continue;
         const double ns = expected_ns(cost, frame);
         choice.expected_ns[key] = ns;
         cheapest_first.emplace_back(ns, key);
     }
+    if (cheapest_first.empty()) throw InputError("path=auto", "the cost model knows no path");
     std::ranges::sort(cheapest_first);
     choice.path = cheapest_first.front().second;
     choice.why = fmt::format("expected to take {:.3g} ms", cheapest_first.front().first * 1e-6);

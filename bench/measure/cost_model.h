@@ -16,13 +16,15 @@ namespace lightsweep {
 /// How a path finds the lights of a pixel: it decides which work its time depends on.
 enum class LightSearch : uint8_t { all, listed, each };
 
-/// What is known of a frame before it is drawn.
+/// What is known of a frame before any path draws it.
 struct CostFeatures {
     double draws = 0;
     double triangles = 0;  ///< after frustum culling
     double pixels = 0;
+    double fragments = 0;                           ///< nearest so far in the order of drawing: those of overdraw too
+    double covered_pixels = 0;                      ///< that show a surface
     double texture_kinds = 0;                       ///< base colour, normal, ...: how many of them the scene samples
-    std::array<bool, kShadingModelCount> models{};  ///< by ShadingModel: whether the scene has it
+    std::array<bool, kShadingModelCount> models{};  ///< whether the scene has it
     double lights = 0;                              ///< points and spots that can reach the view
     double listed_lights = 0;                       ///< of them, per cell of the clustered grid, on average
     double cells = 0;                               ///< of that grid
@@ -42,7 +44,7 @@ struct PathCost {
     LightSearch search = LightSearch::all;
     std::vector<double> ns_per_term;
     double fit_error = 0;  ///< root mean square of (predicted - measured) / measured over the samples
-    int64_t samples = 0;
+    int64_t samples = 0;   ///< 0: the device refused the path; there are no coefficients
 };
 
 /// `samples` must not be empty. Every sample weighs the same, whatever its time.

@@ -192,7 +192,7 @@ CellParams GroupRunner::resolve(const CellParams& params, const Subject& subject
     CellParams drawn = params;
     if (params.path == kAutoPath) {
         if (!costs_) throw InputError("path=auto", "no cost model; `lightsweep doctor --calibrate` measures one");
-        cell.auto_path = choose_path(*costs_, cost_features(subject));
+        cell.auto_path = choose_path(*costs_, cost_features(subject, buffers_, shapes_));
         drawn.path = cell.auto_path->path;
         const PathInfo& info = find_path(drawn.path);
         if (!info.uses_layout) drawn.layout.clear();

@@ -16,6 +16,7 @@ std::string arm_key(CellParams params) {
 void SlowArms::remember(const GroupResult& group) {
     for (const auto& cell : group.cells) {
         if (cell.status != CellStatus::timeout || !cell.too_slow_at_lights) continue;
+        if (cell.params.path == kAutoPath) continue;  // it may come to another path with more lights
         const int64_t lights = *cell.too_slow_at_lights;
         const auto [found, is_new] = by_arm_.try_emplace(arm_key(cell.params));
         if (!is_new && found->second.lights <= lights) continue;

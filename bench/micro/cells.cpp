@@ -1,6 +1,7 @@
 #include "bench/micro/cells.h"
 
 #include "bench/measure/catalog.h"
+#include "bench/measure/list_probe.h"
 #include "bench/measure/self_test.h"
 #include "bench/micro/guarded.h"
 #include "renderer/gl/context.h"
@@ -46,6 +47,7 @@ CellBenchmarks::~CellBenchmarks() = default;
 void CellBenchmarks::add(int repetitions) {
     for (const PlanGroup& group : plan_.groups) {
         for (const CellParams& cell : group.cells) {
+            if (cell.path == kAutoPath) continue;  // another cell's path by another name
             auto* benchmark = add_benchmark(cell.name(), [this, &cell](benchmark::State& state) { run(state, cell); });
             benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
             if (repetitions > 0) benchmark->Repetitions(repetitions);
@@ -81,7 +83,14 @@ Arm& CellBenchmarks::prepared_arm(const CellParams& cell) {
     }
     auto& slot = live_->arms[cell.name()];
     if (!slot) {
-        auto arm = std::make_unique<Arm>(cell, live_->subject, live_->buffers, live_->shapes);
+        CellParams drawn = cell;
+        if (drawn.light_lists == kAutoLightLists) {
+            if (faster_lists_.empty()) {
+                faster_lists_ = list_builder_names()[static_cast<size_t>(probe_light_lists().faster())];
+            }
+            drawn.light_lists = faster_lists_;
+        }
+        auto arm = std::make_unique<Arm>(drawn, live_->subject, live_->buffers, live_->shapes);
         for (int i = 0; i < 1 + kWarmUpFrames; ++i) arm->draw();
         gl::Context::current()->throw_on_debug_errors(cell.name());
         slot = std::move(arm);

@@ -41,6 +41,7 @@ class CellBenchmarks {
     SceneStore scenes_;
     std::unique_ptr<FrameTimer> timer_;
     std::string timer_method_;
+    std::string faster_lists_;  // what light_lists=auto stands for, once asked
     std::unique_ptr<LiveGroup> live_;
 };
 

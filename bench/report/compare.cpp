@@ -66,6 +66,10 @@ Comparison compare_reports(const Report& base, const Report& next, std::optional
             continue;
         }
         const CellResult& before = *found->second;
+        if (before.auto_path && cell.auto_path && before.auto_path->path != cell.auto_path->path) {
+            result.warnings.push_back(fmt::format("{}: came to {} in the base and to {} now", cell.name,
+                                                  before.auto_path->path, cell.auto_path->path));
+        }
         base_cells.erase(found);
         if (!has_times(before)) continue;
         if (!has_times(cell)) {

@@ -42,10 +42,10 @@ std::vector<Series> all_series(const std::vector<GroupResult>& groups) {
     for (const auto& group : groups) {
         for (size_t i = 0; i < group.cells.size(); ++i) {
             const CellResult& earlier = group.cells[i];
-            if (!earlier.measured() || !earlier.params.lights) continue;
+            if (!earlier.competes() || !earlier.params.lights) continue;
             for (size_t j = i + 1; j < group.cells.size(); ++j) {
                 const CellResult& later = group.cells[j];
-                if (!later.measured() || !same_kind(earlier.params, later.params)) continue;
+                if (!later.competes() || !same_kind(earlier.params, later.params)) continue;
                 Series& series = series_of(all, earlier, later);
                 const bool turned = series.a == without_lights(earlier.params);
                 const auto ratio = time_ratio(turned ? earlier : later, turned ? later : earlier, kIntervalLevel);

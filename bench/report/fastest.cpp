@@ -93,7 +93,7 @@ std::vector<FastestOverLights> find_fastest(const std::vector<GroupResult>& grou
         for (const auto& view : views_of(group)) {
             std::vector<const CellResult*> arms;
             for (const auto& cell : group.cells) {
-                if (cell.measured() && same_kind(cell.params, view)) arms.push_back(&cell);
+                if (cell.competes() && same_kind(cell.params, view)) arms.push_back(&cell);
             }
             if (arms.empty()) continue;
             auto contest = std::ranges::find(contests, view, &Contest::view);

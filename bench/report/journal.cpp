@@ -79,6 +79,8 @@ std::set<std::string> finished_groups(const JournalContent& journal, const std::
     require_same("seed", journal.run.seed, run.seed);
     require_same("program version", journal.run.version, run.version);
     require_same("git commit", journal.run.git_commit.value_or("unknown"), run.git_commit.value_or("unknown"));
+    const auto limit = [](const RunInfo& r) { return r.max_frame_s ? fmt::format("{} s", *r.max_frame_s) : "none"; };
+    require_same("longest frame", limit(journal.run), limit(run));
     require_same("build type", journal.run.build_type, run.build_type);
     if (journal.environment.fingerprint != environment.fingerprint) {
         throw InputError(file.string(), "cannot be continued: its environment is not this one's (" +

@@ -218,6 +218,8 @@ struct CellResult {
 
     /// It may be compared with others.
     bool measured() const { return status == CellStatus::ok && samples.count() > 0; }
+    /// And is an arm of its own among them: path=auto draws what another arm draws.
+    bool competes() const { return measured() && params.path != kAutoPath; }
 };
 
 /// The same arm a second time in the same rounds: its ratio to itself is the noise.

@@ -9,7 +9,7 @@ std::string error_key(std::string_view metric) { return "reference.display." + s
 std::vector<TimeErrorPoint> time_error_points(const GroupResult& group, std::string_view metric) {
     std::vector<TimeErrorPoint> points;
     for (const auto& cell : group.cells) {
-        if (!cell.measured() || !cell.error || !cell.error->reference) continue;
+        if (!cell.competes() || !cell.error || !cell.error->reference) continue;
         const auto value = cell.error->reference->display.value(metric);
         if (!value) continue;
         const std::vector<double> wall_ns(cell.samples.wall_ns.begin(), cell.samples.wall_ns.end());

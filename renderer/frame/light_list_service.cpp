@@ -96,7 +96,8 @@ void LightListService::build(const Frame& frame, const gl::Texture* tile_depths)
 void LightListService::build_on_cpu(const Frame& frame, const gl::Texture* tile_depths) {
     const std::vector<DepthRange> ranges =
         tile_depths == nullptr ? std::vector<DepthRange>{} : read_ranges(*tile_depths);
-    build_light_lists(grid_, bounds_, ranges, frame.data.directional_count, lists_);
+    build_light_lists(grid_, bounds_, ranges, frame.data.directional_count, lists_,
+                      std::min(largest_index_count(), kMostListIndices));
     cells_.write_items<CellList>(lists_.cells);
     indices_.write_items<uint32_t>(lists_.indices);
     grid_.index_capacity = static_cast<uint32_t>(lists_.indices.size());

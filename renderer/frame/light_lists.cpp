@@ -4,7 +4,10 @@
 #include "renderer/frame/light_lists.h"
 
 #include "renderer/base/check.h"
+#include "renderer/base/error.h"
 #include "shaders/shared/light_cell.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -268,8 +271,13 @@ class RunFinder {
 };
 
 // Turns one slice's runs into its cells' lists, from `offset` on, and returns where they end.
-uint32_t fill_slice(LightLists::Scratch& scratch, uint32_t offset, std::span<CellList> cells,
+uint32_t fill_slice(LightLists::Scratch& scratch, uint32_t offset, size_t max_indices, std::span<CellList> cells,
                     std::vector<uint32_t>& indices) {
+    size_t wanted = offset;
+    for (const CellRun& run : scratch.runs) wanted += run.end - run.begin;
+    if (wanted > max_indices) {
+        throw EnvironmentError(fmt::format("light lists: more than {} indices of lights in cells", max_indices));
+    }
     // Differences become counts, and these the places where the lists begin.
     auto& places = scratch.places;
     places.assign(cells.size() + 1, 0);
@@ -284,7 +292,7 @@ uint32_t fill_slice(LightLists::Scratch& scratch, uint32_t offset, std::span<Cel
         places[i] = offset;
         offset += count;
     }
-    if (offset > indices.size()) indices.resize(offset + offset / 2);
+    if (offset > indices.size()) indices.resize(size_t{offset} + offset / 2);
     for (const CellRun& run : scratch.runs) {
         for (uint32_t tile = run.begin; tile < run.end; ++tile) indices[places[tile]++] = run.light;
     }
@@ -327,7 +335,8 @@ LightGridData make_light_grid(const LightGridDesc& desc, const FrameSetup& setup
 }
 
 void build_light_lists(const LightGridData& grid, std::span<const LightBounds> lights,
-                       std::span<const DepthRange> tile_depths, uint32_t first_light, LightLists& lists) {
+                       std::span<const DepthRange> tile_depths, uint32_t first_light, LightLists& lists,
+                       size_t max_indices) {
     const size_t tiles = size_t{grid.tiles_x} * grid.tiles_y;
     CHECK_THAT(tile_depths.empty() || (grid.slices == 1 && tile_depths.size() == tiles),
                "{} depth ranges for {} tiles of {} slices", tile_depths.size(), tiles, grid.slices);
@@ -342,7 +351,8 @@ void build_light_lists(const LightGridData& grid, std::span<const LightBounds> l
     for (uint32_t s = 0; s < grid.slices; ++s) {
         const uint32_t end = scratch.slice_ends[s];
         finder.find(std::span(scratch.slice_lights).subspan(first, end - first), edges.z[s], edges.z[s + 1]);
-        offset = fill_slice(scratch, offset, std::span(lists.cells).subspan(s * tiles, tiles), lists.indices);
+        offset =
+            fill_slice(scratch, offset, max_indices, std::span(lists.cells).subspan(s * tiles, tiles), lists.indices);
         first = end;
     }
     lists.indices.resize(offset);

@@ -54,10 +54,15 @@ struct LightLists {
     } scratch;
 };
 
+/// 4 GiB of indices; offsets of 32 bits hold them all.
+inline constexpr size_t kMostListIndices = size_t{1} << 30;
+
+/// Throws EnvironmentError when there would be more than `max_indices`, before it takes the memory for them.
 /// Each cell's lights are those whose bounds `light_touches_cell` (shaders/shared/light_cell.h). `tile_depths`: one for
 /// each tile, row by row from the lower left, for a grid without slices; or empty. `first_light` is added to each
 /// index. Reuses the memory of `lists`.
 void build_light_lists(const shared::LightGridData& grid, std::span<const shared::LightBounds> lights,
-                       std::span<const DepthRange> tile_depths, uint32_t first_light, LightLists& lists);
+                       std::span<const DepthRange> tile_depths, uint32_t first_light, LightLists& lists,
+                       size_t max_indices = kMostListIndices);
 
 }  // namespace lightsweep

@@ -202,6 +202,12 @@ double position_error(const Layout& layout) {
     return 0.0;
 }
 
+double depth_step(gl::Format depth, DepthConvention convention) {
+    const int bits = gl::info(depth).bits[0];
+    const bool relative = bits == 32 && convention == DepthConvention::reversed;
+    return relative ? 0.0 : std::ldexp(1.0, -std::min(bits, 24)) + 0x1p-24;  // floats just below 1 step by 2^-24
+}
+
 Layout drop_unneeded(const Layout& layout, const SceneNeeds& needs) {
     std::vector<Field> needed;
     for (size_t i = 0; i < field_names().size(); ++i) {

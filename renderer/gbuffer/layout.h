@@ -60,6 +60,10 @@ struct Layout {
 /// rebuilt from depth (it then lies on the pixel's ray, at the depth that everything else sees) or stored in 32 bits.
 double position_error(const Layout& layout);
 
+/// How far a stored depth may be off the exact one: a step of the format and one of the rasteriser, which interpolates
+/// in float. 0 where the error is relative to the depth, so to the distance: reversed floats.
+double depth_step(gl::Format depth, DepthConvention convention);
+
 /// A shipped layout by its key, or a user's own by its path. Throws InputError with file, place and cure: an unknown
 /// field, encoding or format, a channel that does not fit, bits that overlap, a field stored twice.
 Layout load_layout(const std::string& key_or_path);

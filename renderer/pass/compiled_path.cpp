@@ -21,6 +21,14 @@ int texels(int px, const TargetDesc& target) { return (px + target.px_per_texel 
 
 bool is_depth(const TargetDesc& target) { return gl::info(target.format).kind == gl::FormatKind::depth; }
 
+// Depth or the stencil beside it.
+bool changes_depth(const gl::RasterState& state) {
+    const auto changes = [](const gl::StencilFace& face) {
+        return face.depth_fail != gl::StencilOp::keep || face.pass != gl::StencilOp::keep;
+    };
+    return state.depth_write || (state.stencil_test && (changes(state.stencil_front) || changes(state.stencil_back)));
+}
+
 CompiledStage compile(const Shader& shader, const gl::RasterState& state, const SceneNeeds& needs,
                       const Layout& layout) {
     gl::ProgramDesc desc{.vertex = shader.vertex + ".vert.glsl",
@@ -235,7 +243,12 @@ int CompiledPath::moved_bytes_per_pixel() const {
     int moved = 0;
     for (const auto& pass : path_.passes) {
         for (const TargetId id : pass.reads) moved += bytes(id);
-        for (const Write& write : pass.writes) moved += bytes(write.target) * (write.load == Load::keep ? 2 : 1);
+        bool writes_depth = changes_depth(pass.state);
+        for (const auto& stage : pass.more_stages) writes_depth = writes_depth || changes_depth(stage.state);
+        for (const Write& write : pass.writes) {
+            const bool tested_only = is_depth(path_.targets[static_cast<size_t>(write.target.index)]) && !writes_depth;
+            moved += bytes(write.target) * (write.load == Load::keep && !tested_only ? 2 : 1);
+        }
     }
     return moved;
 }

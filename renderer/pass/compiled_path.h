@@ -37,7 +37,8 @@ class CompiledPath {
     const gl::Texture& depth() const { return texture(path_.depth); }
     int bytes_per_pixel() const;  ///< of all targets of the frame's size
     /// What a frame must move at least, were each pass to read its inputs and read or write its targets once: kept
-    /// targets both, others written. Overdraw, blending of several lights and textures come on top.
+    /// targets both (a depth that is only tested: read), others written. Overdraw, blending of several lights and
+    /// textures come on top.
     int moved_bytes_per_pixel() const;
     size_t memory_bytes() const;  ///< of all targets and light lists
 

@@ -64,7 +64,10 @@ void list_lights(const PathSetup& setup, const LightGridDesc& grid, Path& path) 
         path.tile_depth = path.add({.name = "tile depth", .format = gl::Format::RG32F, .px_per_texel = grid.tile_px});
         path.passes.push_back(
             {.name = "tile_depth",
-             .shader = {"paths/fullscreen", "lists/tile_depth", {fmt::format("TILE_PX {}", grid.tile_px)}},
+             .shader = {"paths/fullscreen",
+                        "lists/tile_depth",
+                        {fmt::format("TILE_PX {}", grid.tile_px),
+                         fmt::format("DEPTH_STEP {:.9e}", depth_step(setup.layout.depth, setup.layout.convention))}},
              .reads = {path.depth},
              .writes = {{path.tile_depth, Load::discard}},
              .record = draw_full_screen});

@@ -57,6 +57,10 @@ void Recorder::counted(Draw draw) {
         draw();
         return;
     }
+    if (queries_.size() == kMostQueries) {
+        counted_ = samples();
+        queries_.clear();
+    }
     queries_.emplace_back();
     queries_.back().begin();
     draw();
@@ -64,7 +68,7 @@ void Recorder::counted(Draw draw) {
 }
 
 uint64_t Recorder::samples() const {
-    uint64_t sum = 0;
+    uint64_t sum = counted_;
     for (const auto& query : queries_) sum += query.wait_count();
     return sum;
 }

@@ -101,7 +101,9 @@ class Recorder {
     gl::Buffer instances_;  // of bind_instances
     size_t stage_ = 0;
     bool counting_ = false;
+    static constexpr size_t kMostQueries = 1024;
     std::vector<gl::SamplesQuery> queries_;
+    uint64_t counted_ = 0;  // by queries that are gone
 };
 
 /// The usual `record`s.

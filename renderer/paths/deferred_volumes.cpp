@@ -49,11 +49,8 @@ void draw_lights(Recorder& recorder) {
 
 // What lib/light_volume.glsl wants to know of how surfaces are stored.
 std::vector<std::string> volume_defines(const Layout& layout) {
-    // Two steps: one of the target, one of the rasteriser, which interpolates in float; just below 1 that is 2^-24.
-    const auto& depth = gl::info(gl::with_stencil(layout.depth));
-    const bool relative = depth.bits[0] == 32 && layout.convention == DepthConvention::reversed;
-    const double step = relative ? 0.0 : std::ldexp(1.0, -std::min<int>(depth.bits[0], 24)) + 0x1p-24;
-    return {fmt::format("POSITION_ERROR {:.9e}", position_error(layout)), fmt::format("DEPTH_STEP {:.9e}", step)};
+    return {fmt::format("POSITION_ERROR {:.9e}", position_error(layout)),
+            fmt::format("DEPTH_STEP {:.9e}", depth_step(gl::with_stencil(layout.depth), layout.convention))};
 }
 
 Path build(const PathSetup& s) {

@@ -1,5 +1,6 @@
 // Forward with a pass for each light, as before shaders could loop: what no light brings first, with the depth; then
 // each point or spot light is added by drawing again what its bounds touch, inside the rectangle that holds them.
+// Surfaces at exactly the same place are lit once for each of them: equal depth cannot tell them apart.
 // The draws go by batch and not by light: sums do not mind, and each material is bound once.
 #include "renderer/frame/light_draws.h"
 #include "renderer/pass/path.h"

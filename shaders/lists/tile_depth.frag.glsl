@@ -1,5 +1,6 @@
 // The lowest and highest view distance of the surfaces under each tile, one fragment for each; low > high: no surface.
-// TILE_PX: the edge of a tile, even.
+// TILE_PX: the edge of a tile, even. DEPTH_STEP: how far a stored depth may be off; a position that the G-buffer stores
+// is not rounded with it.
 #include "lib/frame.glsl"
 
 layout(binding = kTargetUnit) uniform sampler2D depth_texture;
@@ -23,6 +24,6 @@ void main() {
     }
     float low = min(min(lows.x, lows.y), min(lows.z, lows.w));
     float high = max(max(highs.x, highs.y), max(highs.z, highs.w));
-    float a = view_distance(low), b = view_distance(high);
+    float a = view_distance(max(low - DEPTH_STEP, 0.0)), b = view_distance(min(high + DEPTH_STEP, 1.0));
     range = low > high ? vec2(1e30, 0.0) : vec2(min(a, b), max(a, b));
 }

@@ -15,6 +15,8 @@ CostFeatures frame(double triangles, double pixels, double lights, double listed
     return {.draws = 10,
             .triangles = triangles,
             .pixels = pixels,
+            .fragments = 1.5 * pixels,
+            .covered_pixels = 0.9 * pixels,
             .texture_kinds = 1,
             .models = {true, false, false},
             .lights = lights,
