@@ -13,14 +13,14 @@ namespace lightsweep {
 namespace {
 
 // Raised whenever cost_terms changes: coefficients of other terms mean nothing.
-constexpr int kModelVersion = 2;
+constexpr int kModelVersion = 3;
 
 const std::vector<std::string> kSearchNames{"all", "listed", "each"};
 
-// Operations of one light evaluation: distance, window and direction, and what each shading model adds (counted in
+// About how many operations a light evaluation has: distance, window and direction; what each shading model adds (as in
 // shaders/lib). A scene with several models pays for all of them where a driver does not branch.
 constexpr double kLightOperations = 35.0;
-constexpr std::array<double, kShadingModelCount> kModelOperations{60.0, 35.0, 10.0};  // by ShadingModel
+constexpr std::array<double, kShadingModelCount> kModelOperations{85.0, 50.0, 10.0};  // by ShadingModel
 
 double evaluation_weight(const CostFeatures& frame) {
     double operations = kLightOperations;

@@ -28,7 +28,7 @@ struct Catalog {
     std::vector<std::string> scenes;
 
     /// False for an axis that the path ignores: layout, or light_lists, of a path without. `path` must be in the
-    /// catalog.
+    /// catalog, or auto.
     bool uses(const std::string& path, const CellField& axis) const;
 };
 
