@@ -183,7 +183,7 @@ void make_folder(const fs::path& folder) {
 // What a group needs of the budget next to others: some of each cell's work is the same for every size, the rest goes
 // by pixels.
 double budget_weight(const PlanGroup& group) {
-    constexpr double kFixedWorkPx = 1e5;
+    constexpr double kFixedWorkPx = 3e5;
     const CellParams& first = group.cells.front();
     return static_cast<double>(group.cells.size()) * (kFixedWorkPx + 1.0 * first.width * first.height);
 }
