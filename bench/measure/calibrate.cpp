@@ -6,8 +6,10 @@
 #include "renderer/base/error.h"
 #include "renderer/base/file.h"
 #include "renderer/base/hash.h"
+#include "renderer/frame/light_draws.h"
 #include "renderer/gl/context.h"
 #include "renderer/paths/paths.h"
+#include "shaders/shared/light_cell.h"
 
 #include <fmt/format.h>
 
@@ -43,11 +45,9 @@ std::filesystem::path model_file(const std::string& fingerprint) {
 }
 
 LightSearch light_search(const Path& path) {
-    for (const auto& pass : path.passes) {
-        if (pass.shades == Shades::listed_lights_of_covered) return LightSearch::listed;
-        if (pass.shades == Shades::one_light) return LightSearch::each;
-    }
-    return LightSearch::all;
+    if (path.light_grid) return path.light_grid->slices ? LightSearch::clusters : LightSearch::tiles;
+    const bool each = std::ranges::any_of(path.passes, [](const Pass& p) { return p.shades == Shades::one_light; });
+    return each ? LightSearch::each : LightSearch::all;
 }
 
 // The median of a few frames, after one that warms up.
@@ -62,55 +62,97 @@ double frame_ns(Arm& arm) {
     return median(ns);
 }
 
-// Fragments that pass the depth test in the order of drawing, and those that stay.
-void count_fragments(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes, CostFeatures& features) {
+// Draws the depth alone: the view distance of each covered pixel (0 elsewhere), and how many fragments were nearest so
+// far when they were drawn.
+struct DepthProbe {
+    std::vector<float> distances;  // from the bottom row
+    double fragments = 0;
+};
+
+DepthProbe probe_depth(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes) {
     const PathSetup setup{.needs = subject.scene.needs(), .layout = {}};
     Path path;
     path.depth = path.add({.name = "depth", .format = setup.layout.depth});
     path.hdr = path.display = path.depth;
     path.passes = {depth_prepass(setup, path.depth)};
     path.passes[0].shades = Shades::one_light;  // counts samples
-    features.fragments = static_cast<double>(Arm(path, setup, subject, buffers, shapes).count_light_evaluations());
-    Pass visible = path.passes[0];
-    visible.state = equal_state();
-    visible.writes = {{path.depth, Load::keep}};
-    path.passes[0].shades = Shades::nothing;
-    path.passes.push_back(visible);
-    features.covered_pixels = static_cast<double>(Arm(path, setup, subject, buffers, shapes).count_light_evaluations());
+    Arm arm(std::move(path), setup, subject, buffers, shapes);
+    DepthProbe probe{.distances = {}, .fragments = static_cast<double>(arm.count_light_evaluations())};
+    probe.distances = arm.path().depth().read_floats(1);
+    const auto& data = arm.frame().data;
+    for (float& depth : probe.distances) {
+        depth = depth == data.depth_clear ? 0.0F : data.depth_scale / (depth + data.depth_offset);
+    }
+    return probe;
+}
+
+// A frame's lists for a grid, as the surfaces see them.
+struct ListedLights {
+    double cells = 0;
+    double per_covered_pixel = 0;
+};
+
+ListedLights list_for(const LightGridDesc& desc, const Frame& frame, std::span<const shared::LightBounds> bounds,
+                      const std::vector<float>& distances) {
+    const auto width = static_cast<size_t>(frame.setup.width);
+    const auto grid = make_light_grid(desc, frame.setup, bounds);
+    const auto tile_of = [&](size_t pixel) {
+        return pixel / width / grid.tile_px * grid.tiles_x + pixel % width / grid.tile_px;
+    };
+    std::vector<DepthRange> ranges;
+    if (desc.depth_bounds) ranges.assign(size_t{grid.tiles_x} * grid.tiles_y, {1e30F, 0.0F});
+    for (size_t i = 0; desc.depth_bounds && i < distances.size(); ++i) {
+        if (distances[i] == 0.0F) continue;
+        DepthRange& range = ranges[tile_of(i)];
+        range = {std::min(range.low, distances[i]), std::max(range.high, distances[i])};
+    }
+    LightLists lists;
+    build_light_lists(grid, bounds, ranges, frame.data.directional_count, lists);
+    double listed = 0, covered = 0;
+    for (size_t i = 0; i < distances.size(); ++i) {
+        if (distances[i] == 0.0F) continue;
+        const size_t slice = shared::slice_of(grid, distances[i]);
+        listed += lists.cells[slice * grid.tiles_x * grid.tiles_y + tile_of(i)].count;
+        ++covered;
+    }
+    return {.cells = static_cast<double>(cell_count(grid)), .per_covered_pixel = covered > 0 ? listed / covered : 0.0};
 }
 
 }  // namespace
 
 CostFeatures cost_features(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes) {
     const SceneNeeds& needs = subject.scene.needs();
-    const FrameSetup setup{
-        .camera = subject.scene.scene().camera, .width = subject.width, .height = subject.height, .convention = {}};
     Frame frame;
-    build_frame(subject.scene, subject.lights, setup, frame);
+    build_frame(subject.scene, subject.lights,
+                {.camera = subject.scene.scene().camera, .width = subject.width, .height = subject.height}, frame);
     std::vector<shared::LightBounds> bounds;
     light_bounds(frame, 0.0, bounds);
-    const auto grid = make_light_grid(kClusters, setup, bounds);
-    LightLists lists;
-    build_light_lists(grid, bounds, {}, frame.data.directional_count, lists);
+    const DepthProbe depth = probe_depth(subject, buffers, shapes);
+    const ListedLights clusters = list_for(kClusters, frame, bounds, depth.distances);
     CostFeatures features{
         .draws = static_cast<double>(frame.work.draws),
         .triangles = static_cast<double>(frame.work.triangles),
         .pixels = static_cast<double>(subject.width) * subject.height,
+        .fragments = depth.fragments,
+        .covered_pixels = static_cast<double>(depth.distances.size()) -
+                          static_cast<double>(std::ranges::count(depth.distances, 0.0F)),
         .texture_kinds = static_cast<double>(needs.base_color_textures + needs.metallic_roughness_textures +
                                              needs.normal_textures + needs.emissive_textures),
         .models = needs.models,
         .lights = static_cast<double>(bounds.size()),
-        .listed_lights = static_cast<double>(lists.indices.size()) / static_cast<double>(cell_count(grid)),
-        .cells = static_cast<double>(cell_count(grid)),
+        .cells = clusters.cells,
+        .cluster_lights = clusters.per_covered_pixel,
+        .tile_lights = list_for(kDepthBoundedTiles, frame, bounds, depth.distances).per_covered_pixel,
     };
     for (const auto& light : bounds) {
-        const PixelRect rect = screen_rect(light, setup);
-        if (!rect.empty()) {
-            features.light_rectangles_px +=
-                static_cast<double>(rect.x1 - rect.x0) * static_cast<double>(rect.y1 - rect.y0);
-        }
+        const PixelRect rect = screen_rect(light, frame.setup);
+        if (rect.empty()) continue;
+        features.light_rectangles_px += static_cast<double>(rect.x1 - rect.x0) * static_cast<double>(rect.y1 - rect.y0);
     }
-    count_fragments(subject, buffers, shapes, features);
+    for (const LightDraw& light : make_light_draws(subject.scene, frame, bounds).draws) {
+        const Batch& batch = subject.scene.batches()[light.draw.batch];
+        features.light_triangles += static_cast<double>(light.draw.instance_count) * batch.index_count / 3.0;
+    }
     return features;
 }
 

@@ -12,8 +12,8 @@ namespace lightsweep {
 /// The features of a subject's frame. Builds it and its light lists on the CPU, and draws its depth to count fragments.
 CostFeatures cost_features(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes);
 
-/// Measures every path on shipped scenes at a few sizes and light counts. A few minutes on a software renderer, seconds on a GPU.
-/// `progress` is told the share that is done.
+/// Measures every path on shipped scenes at a few sizes and light counts. A few minutes on a software renderer, seconds
+/// on a GPU. `progress` is told the share that is done.
 CostModel calibrate_costs(const Environment& environment, ListBuilder light_lists,
                           const std::function<void(double)>& progress);
 

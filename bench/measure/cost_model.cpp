@@ -13,9 +13,9 @@ namespace lightsweep {
 namespace {
 
 // Raised whenever cost_terms changes: coefficients of other terms mean nothing.
-constexpr int kModelVersion = 3;
+constexpr int kModelVersion = 4;
 
-const std::vector<std::string> kSearchNames{"all", "listed", "each"};
+const std::vector<std::string> kSearchNames{"all", "tiles", "clusters", "each"};
 
 // About how many operations a light evaluation has: distance, window and direction; what each shading model adds (as in
 // shaders/lib). A scene with several models pays for all of them where a driver does not branch.
@@ -31,19 +31,27 @@ double evaluation_weight(const CostFeatures& frame) {
 }  // namespace
 
 std::vector<double> cost_terms(LightSearch search, const CostFeatures& frame) {
-    const double per_fragment = search == LightSearch::all ? frame.lights : frame.listed_lights;
-    const double evaluations = per_fragment * evaluation_weight(frame);
+    const double per_pixel = search == LightSearch::all     ? frame.lights
+                             : search == LightSearch::tiles ? frame.tile_lights
+                                                            : frame.cluster_lights;
+    const double evaluations = per_pixel * evaluation_weight(frame);
     std::vector<double> terms{1.0, frame.draws, frame.triangles, frame.pixels, frame.fragments,
                               frame.fragments * frame.texture_kinds, frame.covered_pixels,
                               frame.fragments * evaluations, frame.covered_pixels * evaluations,
                               // A triangle's edges shade pixels that are thrown away.
                               frame.triangles * evaluations};
-    if (search == LightSearch::listed) {
-        terms.insert(terms.end(), {frame.lights, frame.cells, frame.cells * frame.listed_lights});
-    } else if (search == LightSearch::each) {
-        // Meshes may be drawn once for each light that reaches them.
-        terms.insert(terms.end(), {frame.lights, frame.light_rectangles_px,
-                                   frame.triangles * frame.light_rectangles_px / frame.pixels});
+    switch (search) {
+        case LightSearch::all:
+            break;
+        case LightSearch::tiles:
+            terms.insert(terms.end(), {frame.lights, frame.pixels * frame.tile_lights});
+            break;
+        case LightSearch::clusters:
+            terms.insert(terms.end(), {frame.lights, frame.cells, frame.cells * frame.cluster_lights});
+            break;
+        case LightSearch::each:
+            terms.insert(terms.end(), {frame.lights, frame.light_rectangles_px, frame.light_triangles});
+            break;
     }
     return terms;
 }
@@ -122,8 +130,9 @@ PathChoice choose_path(const CostModel& model, const CostFeatures& frame) {
     if (cheapest_first.size() > 1) {
         choice.why += fmt::format(", {} {:.3g} ms", cheapest_first[1].second, cheapest_first[1].first * 1e-6);
     }
-    choice.why += fmt::format("; {:.0f} triangles, {:.3g} Mpx, {:.0f} lights in view, {:.3g} of them listed per cell",
-                              frame.triangles, frame.pixels * 1e-6, frame.lights, frame.listed_lights);
+    choice.why += fmt::format(
+        "; {:.0f} triangles, {:.3g} Mpx, {:.0f} lights in view, {:.3g} of them listed for a pixel's cluster",
+        frame.triangles, frame.pixels * 1e-6, frame.lights, frame.cluster_lights);
     return choice;
 }
 

@@ -14,7 +14,7 @@
 namespace lightsweep {
 
 /// How a path finds the lights of a pixel: it decides which work its time depends on.
-enum class LightSearch : uint8_t { all, listed, each };
+enum class LightSearch : uint8_t { all, tiles, clusters, each };
 
 /// What is known of a frame before any path draws it.
 struct CostFeatures {
@@ -26,9 +26,11 @@ struct CostFeatures {
     double texture_kinds = 0;                       ///< base colour, normal, ...: how many of them the scene samples
     std::array<bool, kShadingModelCount> models{};  ///< whether the scene has it
     double lights = 0;                              ///< points and spots that can reach the view
-    double listed_lights = 0;                       ///< of them, per cell of the clustered grid, on average
-    double cells = 0;                               ///< of that grid
-    double light_rectangles_px = 0;                 ///< sum of the lights' rectangles on the screen
+    double cells = 0;                               ///< of the clustered grid
+    double cluster_lights = 0;                      ///< listed for a covered pixel's cluster, on average
+    double tile_lights = 0;          ///< listed for a covered pixel's tile, bounded by its depths, on average
+    double light_rectangles_px = 0;  ///< sum of the lights' rectangles on the screen
+    double light_triangles = 0;      ///< of the instances that each light may reach, summed over the lights
 };
 
 /// The amounts of work of one path's frame, in the order of its coefficients.

@@ -20,9 +20,11 @@ CostFeatures frame(double triangles, double pixels, double lights, double listed
             .texture_kinds = 1,
             .models = {true, false, false},
             .lights = lights,
-            .listed_lights = listed,
             .cells = pixels / 64,
-            .light_rectangles_px = pixels * listed / 2};
+            .cluster_lights = listed,
+            .tile_lights = 1.5 * listed,
+            .light_rectangles_px = pixels * listed / 2,
+            .light_triangles = triangles * listed / 10};
 }
 
 // Frames of many sizes.
@@ -47,13 +49,13 @@ double every_light_ns(const CostFeatures& f) {
     return 1e5 + 90 * f.triangles + 20 * f.pixels + 3 * f.pixels * f.lights;
 }
 double listed_light_ns(const CostFeatures& f) {
-    return 1e5 + 120 * f.triangles + 30 * f.pixels + 3 * f.pixels * f.listed_lights + 80 * f.lights;
+    return 1e5 + 120 * f.triangles + 30 * f.pixels + 3 * f.pixels * f.cluster_lights + 80 * f.lights;
 }
 
 TEST(CostModel, PredictsFramesThatItDidNotSee) {
     using Truth = double (*)(const CostFeatures&);
     const std::vector<std::pair<LightSearch, Truth>> cases{{LightSearch::all, every_light_ns},
-                                                           {LightSearch::listed, listed_light_ns}};
+                                                           {LightSearch::clusters, listed_light_ns}};
     for (const auto& [search, truth] : cases) {
         const PathCost cost = fit(search, truth);
         EXPECT_LT(cost.fit_error, 1e-3);
@@ -71,7 +73,7 @@ TEST(CostModel, FitErrorTellsOfTimesThatTheTermsCannotExplain) {
 TEST(CostModel, ChoosesTheCheaperPathOnEachSideOfTheirCrossing) {
     CostModel model;
     model.paths["plain"] = fit(LightSearch::all, every_light_ns);
-    model.paths["lists"] = fit(LightSearch::listed, listed_light_ns);
+    model.paths["lists"] = fit(LightSearch::clusters, listed_light_ns);
     const PathChoice few = choose_path(model, frame(2e5, 1e6, 1, 1));
     const PathChoice many = choose_path(model, frame(2e5, 1e6, 1024, 16));
     EXPECT_EQ(few.path, "plain");
@@ -90,7 +92,7 @@ TEST(CostModel, IsMonotone) {
     for (const auto& f : many_frames()) {
         samples.push_back({f, 1e6 * std::uniform_real_distribution<double>(0.5, 2.0)(random)});
     }
-    for (const auto search : {LightSearch::all, LightSearch::listed, LightSearch::each}) {
+    for (const auto search : {LightSearch::all, LightSearch::tiles, LightSearch::clusters, LightSearch::each}) {
         const PathCost cost = fit_path_cost(search, samples);
         const double before = expected_ns(cost, frame(1e5, 1e5, 100, 10));
         EXPECT_GE(expected_ns(cost, frame(2e5, 1e5, 100, 10)), before);
