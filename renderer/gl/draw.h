@@ -49,7 +49,7 @@ struct IndexedDraw {
 };
 void draw_indexed(const IndexedDraw& draw);
 void draw_triangles(uint32_t vertex_count);
-void draw_points(uint32_t vertex_count);  ///< one pixel each
+void draw_points(uint32_t vertex_count);            ///< one pixel each
 void dispatch(uint32_t x, uint32_t y, uint32_t z);  ///< work groups
 /// Makes writes of compute shaders visible to everything after.
 void memory_barrier();

@@ -48,7 +48,7 @@ PATH_COLORS = {
     "deferred_volumes": "#D55E00", "light_prepass": "#CC79A7",
     "forward_tiled": "#0072B2", "deferred_tiled": "#0072B2",
     "forward_clustered": "#009E73", "deferred_clustered": "#009E73",
-    "visibility": "#56B4E9",
+    "visibility": "#56B4E9", "auto": "#7F0000",
 }
 FAMILY_LINES = {"forward": "-", "deferred": "--"}
 OTHER_FAMILY_LINE = ":"

@@ -91,6 +91,7 @@ def _shown_low(error):
 
 def _panel(axes, cells, metric, styles, states):
     """Returns the labels to place, those of the front first."""
+    cells = [cell for cell in cells if cell["id"] in states]  # path=auto draws what another arm draws
     several_hdr = len({cell["params"]["hdr"] for cell in cells}) > 1
     labels = []
     points = [(_time(cell), data.image_error(cell, metric)) for cell in cells]
