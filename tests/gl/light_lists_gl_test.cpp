@@ -289,7 +289,7 @@ TEST(LightLists, TilesEndWhereTheirSurfacesDo) {
         const gl::VertexArray no_attributes({}, {}, "none");
         const gl::Program program({.vertex = "paths/fullscreen.vert.glsl",
                                    .fragment = "lists/tile_depth.frag.glsl",
-                                   .defines = {"TILE_PX 8"}});
+                                   .defines = {"TILE_PX 8", "DEPTH_STEP 0.0"}});
         target.bind();
         no_attributes.bind();
         program.use();
