@@ -12,6 +12,8 @@
 namespace lightsweep {
 namespace {
 
+constexpr size_t kMostTried = 4;
+
 // Raised whenever cost_terms changes: coefficients of other terms mean nothing.
 constexpr int kModelVersion = 4;
 
@@ -114,6 +116,33 @@ std::optional<CostModel> parse_cost_model(const std::string& text) {
     }
 }
 
+std::vector<std::string> may_be_fastest(const CostModel& model, const PathChoice& choice) {
+    const double best = choice.expected_ns.at(choice.path) * (1.0 + model.paths.at(choice.path).fit_error);
+    std::vector<std::pair<double, std::string>> cheapest_first;
+    for (const auto& [key, ns] : choice.expected_ns) {
+        if (key == choice.path || ns * (1.0 - model.paths.at(key).fit_error) <= best) {
+            cheapest_first.emplace_back(ns, key);
+        }
+    }
+    std::ranges::sort(cheapest_first);
+    std::vector<std::string> keys;
+    for (const auto& [ns, key] : cheapest_first) {
+        if (keys.size() < kMostTried) keys.push_back(key);
+    }
+    return keys;
+}
+
+void decide_by_trial(PathChoice& choice) {
+    if (choice.tried_ns.empty()) return;
+    const auto fastest = std::ranges::min_element(choice.tried_ns, {}, [](const auto& tried) { return tried.second; });
+    choice.path = fastest->first;
+    std::string others;
+    for (const auto& [key, ns] : choice.tried_ns) {
+        if (key != choice.path) others += fmt::format(", {} {:.3g} ms", key, ns * 1e-6);
+    }
+    choice.why = fmt::format("tried: {:.3g} ms{}; before, the model {}", fastest->second * 1e-6, others, choice.why);
+}
+
 PathChoice choose_path(const CostModel& model, const CostFeatures& frame) {
     std::vector<std::pair<double, std::string>> cheapest_first;
     PathChoice choice;
@@ -126,7 +155,7 @@ PathChoice choose_path(const CostModel& model, const CostFeatures& frame) {
     if (cheapest_first.empty()) throw InputError("path=auto", "the cost model knows no path");
     std::ranges::sort(cheapest_first);
     choice.path = cheapest_first.front().second;
-    choice.why = fmt::format("expected to take {:.3g} ms", cheapest_first.front().first * 1e-6);
+    choice.why = fmt::format("expected {} to take {:.3g} ms", choice.path, cheapest_first.front().first * 1e-6);
     if (cheapest_first.size() > 1) {
         choice.why += fmt::format(", {} {:.3g} ms", cheapest_first[1].second, cheapest_first[1].first * 1e-6);
     }

@@ -63,7 +63,15 @@ Json to_json(const CostModel& model);
 /// Nothing when the text is not a model of this program's version.
 std::optional<CostModel> parse_cost_model(const std::string& text);
 
-/// The path that `path=auto` stands for in one cell: the cheapest. Throws InputError when the model knows no path.
+/// What `path=auto` stands for in one cell as far as the model knows: the cheapest. Throws InputError when the model
+/// knows no path.
 PathChoice choose_path(const CostModel& model, const CostFeatures& frame);
+
+/// The paths that may be the fastest of `choice.expected_ns`, the cheapest first, a few at most: were each as far off
+/// as its fit was, they would not be slower than it.
+std::vector<std::string> may_be_fastest(const CostModel& model, const PathChoice& choice);
+
+/// Takes the fastest of those that were tried (`choice.tried_ns`, ns by path), and says so.
+void decide_by_trial(PathChoice& choice);
 
 }  // namespace lightsweep

@@ -3,6 +3,7 @@
 #include "bench/measure/calibrate.h"
 #include "bench/measure/light_hits.h"
 #include "bench/measure/list_probe.h"
+#include "bench/measure/trial.h"
 #include "bench/stats/quantile.h"
 #include "bench/stats/schedule.h"
 #include "renderer/base/error.h"
@@ -55,6 +56,15 @@ CellWork cell_work(const Arm& arm, const Subject& subject) {
     result.moved_bytes_per_px = arm.path().moved_bytes_per_pixel();
     result.memory_bytes = static_cast<int64_t>(arm.path().memory_bytes() + subject.scene.memory_bytes());
     return result;
+}
+
+// Another path's cell, without what that path does not use.
+CellParams with_path(CellParams cell, const std::string& path) {
+    cell.path = path;
+    const PathInfo& info = find_path(path);
+    if (!info.uses_layout) cell.layout.clear();
+    if (!info.uses_light_lists) cell.light_lists.clear();
+    return cell;
 }
 
 // Draws another frame.
@@ -190,29 +200,41 @@ GroupRunner::Truth GroupRunner::find_truth(const CellParams& cell, const Subject
 
 CellParams GroupRunner::resolve(const CellParams& params, const Subject& subject, CellResult& cell) {
     CellParams drawn = params;
+    if (params.light_lists == kAutoLightLists) {
+        cell.light_lists = auto_light_lists();
+        drawn.light_lists = cell.light_lists->used;
+    }
     if (params.path == kAutoPath) {
         if (!costs_) throw InputError("path=auto", "no cost model; `lightsweep doctor --calibrate` measures one");
         cell.auto_path = choose_path(*costs_, cost_features(subject, buffers_, shapes_));
-        drawn.path = cell.auto_path->path;
-        const PathInfo& info = find_path(drawn.path);
-        if (!info.uses_layout) drawn.layout.clear();
-        if (!info.uses_light_lists) {
-            drawn.light_lists.clear();
-            return drawn;
+        const auto candidates = may_be_fastest(*costs_, *cell.auto_path);
+        if (candidates.size() > 1) {
+            std::vector<CellParams> cells;
+            for (const auto& path : candidates) cells.push_back(with_path(drawn, path));
+            const auto tried = try_arms(cells, subject, buffers_, shapes_);
+            for (size_t i = 0; i < candidates.size(); ++i) {
+                if (tried[i]) cell.auto_path->tried_ns[candidates[i]] = *tried[i];
+            }
+            decide_by_trial(*cell.auto_path);
         }
+        drawn = with_path(drawn, cell.auto_path->path);
     }
-    if (params.light_lists == kAutoLightLists) {
-        if (!auto_light_lists_) {
-            const ListProbe probe = probe_light_lists();
-            const std::string& used = list_builder_names()[static_cast<size_t>(probe.faster())];
-            auto_light_lists_ = ListChoice{.asked = kAutoLightLists, .used = used, .why = probe.why()};
-        }
-        cell.light_lists = auto_light_lists_;
-        drawn.light_lists = auto_light_lists_->used;
-    } else if (!params.light_lists.empty()) {
+    if (drawn.light_lists.empty()) {
+        cell.light_lists.reset();
+    } else if (params.light_lists != kAutoLightLists) {
         cell.light_lists = ListChoice{.asked = params.light_lists, .used = params.light_lists, .why = "asked for"};
     }
     return drawn;
+}
+
+// The one that is faster on this device; found out once.
+const ListChoice& GroupRunner::auto_light_lists() {
+    if (!auto_light_lists_) {
+        const ListProbe probe = probe_light_lists();
+        const std::string& used = list_builder_names()[static_cast<size_t>(probe.faster())];
+        auto_light_lists_ = ListChoice{.asked = kAutoLightLists, .used = used, .why = probe.why()};
+    }
+    return *auto_light_lists_;
 }
 
 // Makes an arm ready: compiled, its work counted, its caches warm. One that is too slow is drawn and no more: the cell

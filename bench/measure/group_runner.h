@@ -58,6 +58,7 @@ class GroupRunner {
                  std::vector<Slot>& slots);
     /// The cell as it is drawn, with nothing left to choose; says in `cell` what was chosen.
     CellParams resolve(const CellParams& params, const Subject& subject, CellResult& cell);
+    const ListChoice& auto_light_lists();
     std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, const SamplingRules& rules,
                                  GroupResult& result, CellResult& cell);
     void settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell);

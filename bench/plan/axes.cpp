@@ -57,7 +57,8 @@ void check_exists(const CellField& axis, const std::string& value, const Catalog
     if (axis.name == "scene") check_file_or_key(axis, value, catalog.scenes, "scenes", {".json", ".gltf", ".glb"});
     if (axis.name == "layout") check_file_or_key(axis, value, catalog.layouts, "shaders/gbuffer/layouts", {".json"});
     if (axis.name == "path" && value != kAutoPath) {
-        const auto keys = path_keys(catalog);
+        auto keys = path_keys(catalog);
+        keys.emplace_back(kAutoPath);
         if (std::find(keys.begin(), keys.end(), value) == keys.end()) {
             throw InputError("path=" + value, unknown_name("path", value, keys));
         }

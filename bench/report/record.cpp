@@ -152,6 +152,7 @@ void visit_fields(Is<PathChoice> auto& r, auto visit) {
     visit("path", r.path);
     visit("why", r.why);
     visit("expected_ns", r.expected_ns);
+    visit("tried_ns", r.tried_ns);
 }
 
 void visit_fields(Is<CellResult> auto& r, auto visit) {

@@ -194,7 +194,9 @@ struct ListChoice {
 struct PathChoice {
     std::string path;
     std::string why;
-    std::map<std::string, double> expected_ns;  ///< by path
+    std::map<std::string, double> expected_ns;  ///< by path, by the cost model
+    /// By path, of those that may be the fastest by what the model knows: medians of a few frames.
+    std::map<std::string, double> tried_ns;
 };
 
 struct CellResult {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -30,6 +31,7 @@ constexpr double kElongation = 1.0;
 // The first slice begins at the eye and ends at this part of the farthest distance reached, or further out.
 constexpr double kFirstSliceEnd = 1.0 / 32.0;
 
+constexpr uint32_t kLeastClusterTilePx = 8, kMostClusterTilePx = 64;
 constexpr uint32_t kMaxSlices = 128;
 constexpr uint32_t kMaxCells = 1U << 17;
 
@@ -57,7 +59,14 @@ DepthExtent depth_extent(std::span<const LightBounds> lights) {
     return extent;
 }
 
-uint32_t tiles_along(int pixels, int tile_px) { return static_cast<uint32_t>((pixels + tile_px - 1) / tile_px); }
+uint32_t tiles_along(int pixels, uint32_t tile_px) { return (static_cast<uint32_t>(pixels) + tile_px - 1) / tile_px; }
+
+// Clusters are the same part of a picture at every size, or a small picture would list far too much: of the atrium at
+// 320x180, 16,384 lights, tiles of 32 px list 17 lights for each that reaches a surface, tiles of 8 px 2.7.
+uint32_t cluster_tile_px(int tile_px_at_720, int height) {
+    const auto scaled = static_cast<uint32_t>(static_cast<int64_t>(tile_px_at_720) * height / 720);
+    return std::clamp(std::bit_floor(scaled), kLeastClusterTilePx, kMostClusterTilePx);
+}
 
 // The slopes and distances between cells, as cell_bounds and slice_begin give them.
 struct Edges {
@@ -307,9 +316,9 @@ LightGridData make_light_grid(const LightGridDesc& desc, const FrameSetup& setup
     const double tan_y = std::tan(glm::radians(setup.camera.fov_y_deg) / 2.0);
     const double tan_x = tan_y * setup.width / setup.height;
     LightGridData grid{};
-    grid.tile_px = static_cast<uint32_t>(desc.tile_px);
-    grid.tiles_x = tiles_along(setup.width, desc.tile_px);
-    grid.tiles_y = tiles_along(setup.height, desc.tile_px);
+    grid.tile_px = desc.slices ? cluster_tile_px(desc.tile_px, setup.height) : static_cast<uint32_t>(desc.tile_px);
+    grid.tiles_x = tiles_along(setup.width, grid.tile_px);
+    grid.tiles_y = tiles_along(setup.height, grid.tile_px);
     grid.tangent_per_px_x = static_cast<float>(2.0 * tan_x / setup.width);
     grid.tangent_per_px_y = static_cast<float>(2.0 * tan_y / setup.height);
     grid.tan_x = static_cast<float>(tan_x);
@@ -323,7 +332,7 @@ LightGridData make_light_grid(const LightGridDesc& desc, const FrameSetup& setup
     const uint32_t most = std::clamp(kMaxCells / (grid.tiles_x * grid.tiles_y), 1U, kMaxSlices);
     grid.slices = 1;
     if (desc.slices && reached.high > 0.0 && first_end < last_end) {
-        const double growth = std::max(1.0 + kElongation * desc.tile_px * grid.tangent_per_px_y, kLeastGrowth);
+        const double growth = std::max(1.0 + kElongation * grid.tile_px * grid.tangent_per_px_y, kLeastGrowth);
         const double wanted = 1.0 + std::ceil(std::log(last_end / first_end) / std::log(growth));
         grid.slices = static_cast<uint32_t>(std::min<double>(wanted, most));
     }

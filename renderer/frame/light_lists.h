@@ -11,7 +11,7 @@ namespace lightsweep {
 
 /// What a path asks for.
 struct LightGridDesc {
-    int tile_px = 16;
+    int tile_px = 16;           ///< of clusters: in a picture of 720 lines; in others about the same part of it
     bool slices = false;        ///< cells are cut along the view distance too: clusters
     bool depth_bounds = false;  ///< cells end where the surfaces of their tile do; for tiles alone
 };

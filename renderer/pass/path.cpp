@@ -6,6 +6,14 @@
 #include <fmt/format.h>
 
 namespace lightsweep {
+namespace {
+
+// For shaders with sum_lights.
+std::vector<std::string> grid_defines(const Path& path) {
+    return path.light_grid ? std::vector<std::string>{"LIGHT_GRID"} : std::vector<std::string>{};
+}
+
+}  // namespace
 
 std::vector<TargetId> Path::add(const std::vector<LayoutTarget>& layout_targets) {
     std::vector<TargetId> ids;
@@ -75,6 +83,26 @@ void list_lights(const PathSetup& setup, const LightGridDesc& grid, Path& path) 
     if (grid.depth_bounds || setup.light_lists == ListBuilder::compute) {
         path.passes.push_back({.name = "light_lists", .record = build_lists});
     }
+}
+
+Pass forward_pass(const Path& path) {
+    return {.name = "forward",
+            .shader = {"paths/mesh", "paths/forward", grid_defines(path)},
+            .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
+            .state = equal_state(),
+            .record = draw_visible_meshes,
+            .shades = path.light_grid ? Shades::listed_lights_of_covered : Shades::all_lights};
+}
+
+Pass resolve_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path) {
+    auto defines = gbuffer_read_defines(setup.layout);
+    for (auto& define : grid_defines(path)) defines.push_back(std::move(define));
+    return {.name = "shade",
+            .shader = {"paths/fullscreen", "paths/resolve", std::move(defines)},
+            .reads = join(targets, path.depth),
+            .writes = {{path.hdr, Load::discard}},
+            .record = draw_full_screen,
+            .shades = path.light_grid ? Shades::listed_lights_of_covered : Shades::all_lights_of_covered};
 }
 
 Pass base_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path) {

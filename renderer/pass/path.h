@@ -136,6 +136,13 @@ Pass depth_prepass(const PathSetup& setup, TargetId depth);
 /// The pass that fills the layout's targets and the depth with what is visible.
 Pass gbuffer_pass(const PathSetup& setup, const std::vector<TargetId>& targets, TargetId depth);
 
+/// The pass that shades what a prepass left visible with every light of LIGHT_GRID where the path has one, else of the
+/// frame.
+Pass forward_pass(const Path& path);
+
+/// The full-screen pass that shades the layout's surfaces, with lights as `forward_pass`.
+Pass resolve_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path);
+
 /// The full-screen pass that shades what no light's bounds hold: emission, ambient, directional lights, background.
 /// Reads the layout's targets.
 Pass base_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path);

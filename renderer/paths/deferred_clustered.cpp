@@ -1,7 +1,6 @@
 // Clustered deferred (Olsson, Billeter and Assarsson 2012): G-buffer; lights are listed for cells of the view volume;
 // one full-screen pass shades each pixel with the lights of its cell.
 #include "renderer/pass/path.h"
-#include "renderer/pass/recorder.h"
 
 namespace lightsweep {
 namespace {
@@ -13,13 +12,7 @@ Path build(const PathSetup& s) {
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
     path.passes = {gbuffer_pass(s, targets, path.depth)};
     list_lights(s, kClusters, path);
-    path.passes.push_back(
-        {.name = "shade",
-         .shader = {"paths/fullscreen", "paths/resolve", join(gbuffer_read_defines(s.layout), "LIGHT_GRID")},
-         .reads = join(targets, path.depth),
-         .writes = {{path.hdr, Load::discard}},
-         .record = draw_full_screen,
-         .shades = Shades::listed_lights_of_covered});
+    path.passes.push_back(resolve_pass(s, targets, path));
     return path;
 }
 

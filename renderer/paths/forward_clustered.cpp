@@ -1,7 +1,6 @@
 // Clustered forward (Olsson, Billeter and Assarsson 2012): lights are listed for cells of the view volume, tiles cut
 // into exponential slices of view distance; depth first, then the visible fragments take the lights of their cell.
 #include "renderer/pass/path.h"
-#include "renderer/pass/recorder.h"
 
 namespace lightsweep {
 namespace {
@@ -12,12 +11,7 @@ Path build(const PathSetup& s) {
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
     path.passes = {depth_prepass(s, path.depth)};
     list_lights(s, kClusters, path);
-    path.passes.push_back({.name = "forward",
-                           .shader = {"paths/mesh", "paths/forward", {"LIGHT_GRID"}},
-                           .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
-                           .state = equal_state(),
-                           .record = draw_visible_meshes,
-                           .shades = Shades::listed_lights_of_covered});
+    path.passes.push_back(forward_pass(path));
     return path;
 }
 

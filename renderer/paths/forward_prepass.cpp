@@ -1,6 +1,5 @@
 // Forward with a depth prepass: depth alone first, then only the visible surface is shaded, once.
 #include "renderer/pass/path.h"
-#include "renderer/pass/recorder.h"
 
 namespace lightsweep {
 namespace {
@@ -9,15 +8,7 @@ Path build(const PathSetup& s) {
     Path path;
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {
-        depth_prepass(s, path.depth),
-        {.name = "forward",
-         .shader = {"paths/mesh", "paths/forward"},
-         .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
-         .state = equal_state(),
-         .record = draw_visible_meshes,
-         .shades = Shades::all_lights},
-    };
+    path.passes = {depth_prepass(s, path.depth), forward_pass(path)};
     return path;
 }
 

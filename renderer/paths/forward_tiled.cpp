@@ -1,7 +1,6 @@
 // Forward+ (Harada et al. 2012): depth first; each tile of the screen gets the lights that reach the depths it shows;
 // the visible fragments are shaded with the lights of their tile.
 #include "renderer/pass/path.h"
-#include "renderer/pass/recorder.h"
 
 namespace lightsweep {
 namespace {
@@ -12,12 +11,7 @@ Path build(const PathSetup& s) {
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
     path.passes = {depth_prepass(s, path.depth)};
     list_lights(s, kDepthBoundedTiles, path);
-    path.passes.push_back({.name = "forward",
-                           .shader = {"paths/mesh", "paths/forward", {"LIGHT_GRID"}},
-                           .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
-                           .state = equal_state(),
-                           .record = draw_visible_meshes,
-                           .shades = Shades::listed_lights_of_covered});
+    path.passes.push_back(forward_pass(path));
     return path;
 }
 

@@ -85,6 +85,24 @@ TEST(CostModel, ChoosesTheCheaperPathOnEachSideOfTheirCrossing) {
     EXPECT_THROW(choose_path({}, frame(1, 1, 1, 1)), InputError);
 }
 
+// Who may be fastest follows from how far off each fit was; who is fastest, from the trial.
+TEST(CostModel, TriesThoseThatItsErrorsLeaveOpen) {
+    CostModel model;
+    for (const auto& [key, fit_error] : {std::pair{"near", 0.1}, {"exact", 0.0}, {"vague", 0.5}, {"best", 0.05}}) {
+        model.paths[key] = PathCost{.ns_per_term = {}, .fit_error = fit_error, .samples = 1};
+    }
+    PathChoice choice{.path = "best", .why = "said so", .expected_ns = {}, .tried_ns = {}};
+    // 105 at the worst for the best: 0.9 * 115 = 103.5 is below, 1.0 * 106 is not, 0.5 * 200 is.
+    choice.expected_ns = {{"best", 100.0}, {"near", 115.0}, {"exact", 106.0}, {"vague", 200.0}};
+    EXPECT_EQ(may_be_fastest(model, choice), (std::vector<std::string>{"best", "near", "vague"}));
+
+    choice.tried_ns = {{"best", 3e6}, {"near", 2e6}, {"vague", 5e6}};
+    decide_by_trial(choice);
+    EXPECT_EQ(choice.path, "near");
+    EXPECT_THAT(choice.why, HasSubstr("2 ms"));
+    EXPECT_THAT(choice.why, HasSubstr("said so"));
+}
+
 // More work never makes a frame cheaper, whatever the samples were.
 TEST(CostModel, IsMonotone) {
     std::mt19937 random(11);
