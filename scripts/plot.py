@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws a report: time and evaluations over lights, ratio to forward, time per pass, against error, field errors, FLIP maps.
+"""Draws a report: time and evaluations over lights, ratio to forward, time per pass, against error, field errors, maps, skips.
 
 Usage: plot.py REPORT [--out DIR] [--error METRIC] [--lights N,...]      one figure each per scene; writes PNG and SVG (into the
 report's folder unless told) and prints their paths; what cannot be drawn is said on stderr. The maps are looked for in the report's
@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-from plotting import field_errors, flip_maps, over_lights, per_pass, time_error
+from plotting import field_errors, flip_maps, over_lights, per_pass, skips, time_error
 from plotting import report as data
 from plotting import style
 
@@ -31,8 +31,9 @@ def file_words(scenes):
     return words
 
 
-def figures_of(arguments):
+def figures_of(report, arguments):
     """{name: what draws it from (report, scene, cells, paths)}"""
+    of_skips = {"skips": skips.draw} if report.get("skips") else {}  # few reports have any
     return {
         "time_over_lights": over_lights.draw_time,
         "ratio_to_forward": over_lights.draw_ratio,
@@ -41,7 +42,7 @@ def figures_of(arguments):
         "time_against_error": functools.partial(time_error.draw, metric=arguments.error),
         "field_errors": field_errors.draw,
         "flip_maps": functools.partial(flip_maps.draw, folder=arguments.report.parent / "maps"),
-    }
+    } | of_skips
 
 
 def draw_all(report, figures, folder):
@@ -53,7 +54,7 @@ def draw_all(report, figures, folder):
     paths = list(dict.fromkeys(cell["params"]["path"] for cells in scenes.values() for cell in cells))
     for scene, cells in scenes.items():
         for name, draw in figures.items():
-            figure, why_not = draw(report, scene, cells, paths)
+            figure, why_not = draw(report, scene, data.without_single_skips(cells), paths)
             if figure is None:
                 yield [], f"no {name} of {data.name_of(scene)}: {why_not}"
             else:
@@ -78,7 +79,7 @@ def main():
     try:
         report = data.load(arguments.report)
         folder.mkdir(parents=True, exist_ok=True)
-        for files, missing in draw_all(report, figures_of(arguments), folder):
+        for files, missing in draw_all(report, figures_of(report, arguments), folder):
             for file in files:
                 print(file)
             if missing:

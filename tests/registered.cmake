@@ -8,7 +8,7 @@ endif()
 
 if(TARGET gl_tests)
   # What measures time gets the machine for itself.
-  set(timed "TimerSelfTest.*:GroupRunner.*:Harness.*")
+  set(timed "TimerSelfTest.*:GroupRunner.*:Harness.*:Paths/ByHand.*")
   gtest_discover_tests(gl_tests TEST_PREFIX gl. DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_FILTER "-${timed}"
                        PROPERTIES LABELS gl TIMEOUT 300 ENVIRONMENT "${gl_environment}")
   gtest_discover_tests(gl_tests TEST_PREFIX gl. DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_FILTER "${timed}"

@@ -15,6 +15,7 @@ using Command = std::function<int()>;
 
 Command add_list(CLI::App& app);
 Command add_doctor(CLI::App& app);
+Command add_needs(CLI::App& app);
 /// `arguments`: of the whole program, for the report.
 Command add_run(CLI::App& app, const std::vector<std::string>& arguments);
 Command add_explore(CLI::App& app, const std::vector<std::string>& arguments);

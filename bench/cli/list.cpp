@@ -6,6 +6,7 @@
 #include "renderer/base/json_reader.h"
 #include "renderer/base/names.h"
 #include "renderer/base/resources.h"
+#include "renderer/base/skips.h"
 #include "renderer/gbuffer/encoding.h"
 #include "renderer/gbuffer/layout.h"
 #include "renderer/gl/context.h"
@@ -78,6 +79,14 @@ Json views() {
     return list;
 }
 
+Json skips() {
+    Json list = Json::array();
+    for (const auto& info : skip_infos()) {
+        list.push_back({{"key", info.key}, {"same_bits", info.same_bits}, {"what", info.what}});
+    }
+    return list;
+}
+
 const std::vector<std::pair<std::string, Json (*)()>> kLists = {
     {"paths", [] { return key_and_summary(all_paths()); }},
     {"layouts", layouts},
@@ -86,6 +95,7 @@ const std::vector<std::pair<std::string, Json (*)()>> kLists = {
     {"metrics", [] { return key_and_summary(all_metrics()); }},
     {"post", [] { return key_and_summary(all_post_effects()); }},
     {"sweeps", [] { return data_files("bench/sweeps"); }},
+    {"skips", skips},
     {"views", views},
     {"devices", devices},
 };

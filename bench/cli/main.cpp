@@ -23,6 +23,7 @@ int run_program(int argc, char** argv) {
     const std::vector<std::pair<std::string, std::function<Command(CLI::App&)>>> table = {
         {"list", add_list},
         {"doctor", add_doctor},
+        {"needs", add_needs},
         {"render", add_render},
         {"diff", add_diff},
         {"encodings", add_encodings},

@@ -7,6 +7,7 @@
 #include "bench/plan/axes.h"
 #include "renderer/base/error.h"
 #include "renderer/base/names.h"
+#include "renderer/base/skips.h"
 #include "renderer/paths/paths.h"
 #include "renderer/paths/view.h"
 
@@ -22,7 +23,7 @@ namespace {
 struct Options {
     DeviceOptions device;
     std::string scene = "atrium", path = "deferred", layout = "oct32", lights = "default", size = "1280x720";
-    std::string overlap = "scene", light_lists = "cpu", hdr = "rgba16f", view = "final", output;
+    std::string overlap = "scene", light_lists = "cpu", hdr = "rgba16f", skip = kSkipEverything, view = "final", output;
 };
 
 CellParams parse_options(const Options& options) {
@@ -34,7 +35,8 @@ CellParams parse_options(const Options& options) {
                                                                  {"path", &options.path},
                                                                  {"layout", &options.layout},
                                                                  {"light_lists", &options.light_lists},
-                                                                 {"hdr", &options.hdr}};
+                                                                 {"hdr", &options.hdr},
+                                                                 {"skip", &options.skip}};
     for (const auto& [name, value] : fields) set_cell_field(cell, find_cell_field(name), *value);
     const auto& views = view_names();
     if (std::find(views.begin(), views.end(), options.view) == views.end()) {
@@ -44,6 +46,8 @@ CellParams parse_options(const Options& options) {
     if (extension != ".png" && extension != ".exr") {
         throw InputError(options.output, "the picture's name must end in .png or .exr");
     }
+    if (cell.skip == kAutoSkip)
+        throw InputError("--skip auto", "a run decides that; a picture needs a set, such as all");
     if (!find_path(cell.path).uses_layout) cell.layout.clear();
     if (!find_path(cell.path).uses_light_lists) cell.light_lists.clear();
     return cell;
@@ -55,7 +59,8 @@ std::unique_ptr<Arm> make_arm(const CellParams& cell, const std::string& view, c
     if (view == "final") return std::make_unique<Arm>(cell, subject, buffers, shapes);
     const SceneNeeds& needs = subject.scene.needs();
     const Layout layout = drop_unneeded(load_layout(cell.layout.empty() ? "float32" : cell.layout), needs);
-    const PathSetup setup{.needs = needs, .layout = layout, .hdr = gl::Format::RGBA32F};
+    const PathSetup setup{
+        .needs = needs, .layout = layout, .hdr = gl::Format::RGBA32F, .skips = parse_skips(cell.skip).value()};
     return std::make_unique<Arm>(build_view(view, setup), setup, subject, buffers, shapes);
 }
 
@@ -74,6 +79,8 @@ Command add_render(CLI::App& app) {
     command->add_option("--light-lists", options->light_lists, "who builds them: cpu, compute or auto")
         ->capture_default_str();
     command->add_option("--hdr", options->hdr, "format of the HDR target")->capture_default_str();
+    command->add_option("--skip", options->skip, "what to skip: all, none, all-frustum-sort, none+light_lists, ...")
+        ->capture_default_str();
     command->add_option("--view", options->view, "final, or a buffer (lightsweep list views)")->capture_default_str();
     command->add_option("-o,--output", options->output, "image.png (display values) or image.exr (linear values)")
         ->required();

@@ -311,7 +311,7 @@ Command add_run(CLI::App& app, const std::vector<std::string>& arguments) {
     command
         ->add_option("-a,--axis", options->axes,
                      "axis=values, in place of the sweep's: lights=1,16,256 lights=pow2:0:12 "
-                     "size=640x360,1280x720 path=* scene=atrium,model.gltf")
+                     "size=640x360,1280x720 path=* scene=atrium,model.gltf skip=all,none,all-*")
         ->take_all();
     command->add_option("--out", options->out,
                         "folder for journal.jsonl and report.json (default: out/<sweep>-<time>)");

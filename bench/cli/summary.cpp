@@ -1,5 +1,6 @@
 #include "bench/cli/summary.h"
 
+#include "bench/cli/skip_table.h"
 #include "bench/cli/table.h"
 #include "bench/report/pairs.h"
 
@@ -30,7 +31,8 @@ std::string arm_text(const Json& arm) {
     std::string text = arm.at("path").get<std::string>();
     if (!arm.at("layout").is_null()) text += "/" + arm.at("layout").get<std::string>();
     if (!arm.at("light_lists").is_null()) text += "/" + arm.at("light_lists").get<std::string>();
-    return text + "/" + arm.at("hdr").get<std::string>();
+    text += "/" + arm.at("hdr").get<std::string>();
+    return arm.at("skip") == kSkipEverything ? text : text + "/" + arm.at("skip").get<std::string>();
 }
 
 // `cpu (auto)`: what was asked, where it is not what was used.
@@ -69,9 +71,14 @@ std::string path_text(const Json& cell) {
     return cell.at("auto_path").at("path").get<std::string>() + " (auto)";
 }
 
+std::string skip_text(const Json& cell) {
+    if (cell.at("auto_skip").is_null()) return cell.at("params").at("skip").get<std::string>();
+    return cell.at("auto_skip").at("skip").get<std::string>() + " (auto)";
+}
+
 // What all cells share is said once, above the table, which then fits a terminal.
 std::string cell_table(const Json& report) {
-    const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "lists", "hdr"};
+    const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "lists", "hdr", "skip"};
     const bool any_lost = std::ranges::any_of(report.at("cells"), [](const Json& cell) { return lost_px(cell) > 0; });
     std::vector<std::vector<std::string>> rows;
     for (const auto& cell : report.at("cells")) {
@@ -85,6 +92,7 @@ std::string cell_table(const Json& report) {
                                      p.at("layout").is_null() ? "" : p.at("layout").get<std::string>(),
                                      lists_text(cell.at("light_lists")),
                                      p.at("hdr").get<std::string>(),
+                                     skip_text(cell),
                                      time_text(wall.at("median").get<double>()),
                                      interval_text(wall)};
         std::ranges::move(error_columns(cell.at("error")), std::back_inserter(row));
@@ -100,7 +108,10 @@ std::string cell_table(const Json& report) {
     for (size_t column = names.size(); column-- > 0 && rows.size() > 1;) {
         const std::string& value = rows.front()[column];
         if (!std::ranges::all_of(rows, [&](const auto& row) { return row[column] == value; })) continue;
-        if (!value.empty()) shared = fmt::format("{} {}{}", names[column], value, shared.empty() ? "" : ", ") + shared;
+        const bool goes_without_saying = value.empty() || value == kSkipEverything;
+        if (!goes_without_saying) {
+            shared = fmt::format("{} {}{}", names[column], value, shared.empty() ? "" : ", ") + shared;
+        }
         header.erase(header.begin() + static_cast<std::ptrdiff_t>(column));
         for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
     }
@@ -176,7 +187,8 @@ std::string failures_text(const Json& report) {
 }  // namespace
 
 std::string summary_text(const Json& report) {
-    std::string text = cell_table(report) + fastest_text(report) + crossover_text(report) + failures_text(report);
+    std::string text = cell_table(report) + fastest_text(report) + crossover_text(report) + skip_savings_text(report) +
+                       failures_text(report);
     const auto& run = report.at("run");
     text += fmt::format("\ntimer: {}; ", report.at("timer").at("method").get<std::string>());
     const auto& floor = report.at("noise").at("floor");

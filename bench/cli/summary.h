@@ -1,4 +1,5 @@
-// The end of a run on the terminal: the table of cells, the crossovers, what was left out, the answers.
+// The end of a run on the terminal: the table of cells, the crossovers, what skips saved, what was not measured, the
+// answers.
 #pragma once
 
 #include "bench/report/record.h"

@@ -8,6 +8,7 @@
 #include "renderer/pass/compiled_path.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Subject {
     std::vector<Light> lights;
     int width = 1;
     int height = 1;
+    std::optional<Camera> camera{};  ///< in place of the scene's
 };
 
 struct FrameSample {
@@ -52,6 +54,9 @@ class Arm {
     const CompiledPath& path() const { return *path_; }
     const Frame& frame() const { return frame_; }
     const PathSetup& setup() const { return setup_; }
+    /// A hash of all that a frame asks the device to do: targets, passes, shaders, states, and the frame's data. Arms
+    /// with equal keys on one machine differ in nothing that takes time. Of the last frame.
+    std::string work_key() const;
     uint64_t count_light_evaluations();
 
   private:

@@ -149,7 +149,7 @@ CostFeatures cost_features(const Subject& subject, FrameBuffers& buffers, const 
         if (rect.empty()) continue;
         features.light_rectangles_px += static_cast<double>(rect.x1 - rect.x0) * static_cast<double>(rect.y1 - rect.y0);
     }
-    for (const LightDraw& light : make_light_draws(subject.scene, frame, bounds).draws) {
+    for (const LightDraw& light : make_light_draws(subject.scene, frame, frame.visible, bounds).draws) {
         const Batch& batch = subject.scene.batches()[light.draw.batch];
         features.light_triangles += static_cast<double>(light.draw.instance_count) * batch.index_count / 3.0;
     }

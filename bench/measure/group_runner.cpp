@@ -1,15 +1,12 @@
 #include "bench/measure/group_runner.h"
 
-#include "bench/measure/calibrate.h"
-#include "bench/measure/light_hits.h"
-#include "bench/measure/list_probe.h"
+#include "bench/measure/cell_work.h"
+#include "bench/measure/skip_proof.h"
 #include "bench/measure/trial.h"
 #include "bench/stats/quantile.h"
 #include "bench/stats/schedule.h"
 #include "renderer/base/error.h"
-#include "renderer/base/hash.h"
 #include "renderer/gl/context.h"
-#include "renderer/paths/paths.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +23,7 @@ constexpr double kOverrun = 1.5;  // of the time for a group, before its smalles
 constexpr int kFewestRounds = 2;
 // A first frame compiles shaders too: one over the limit is judged by a second one, unless it is so far over it.
 constexpr double kSurelyTooSlow = 3.0;
-constexpr size_t kMostLightsOfPlainControl = 256;
+constexpr const char* kInterruptedReason = "interrupted";
 
 double seconds_since(int64_t start_ns) { return static_cast<double>(now_ns() - start_ns) * kNsToS; }
 
@@ -42,41 +39,31 @@ CellResult new_cell(const CellParams& params, const Scene& scene, size_t light_c
     return cell;
 }
 
-CellWork cell_work(const Arm& arm, const Subject& subject) {
-    const FrameWork& work = arm.frame().work;
-    CellWork result;
-    result.draws = static_cast<int64_t>(work.draws);
-    result.triangles = static_cast<int64_t>(work.triangles);
-    result.instances_drawn = static_cast<int64_t>(work.instances_drawn);
-    result.instances_culled = static_cast<int64_t>(work.instances_culled);
-    result.lights_drawn = static_cast<int64_t>(work.lights_drawn);
-    result.lights_culled = static_cast<int64_t>(work.lights_culled);
-    result.gbuffer_bytes_per_px = arm.setup().layout.targets.empty() ? 0 : arm.setup().layout.bytes_per_pixel();
-    result.target_bytes_per_px = arm.path().bytes_per_pixel();
-    result.moved_bytes_per_px = arm.path().moved_bytes_per_pixel();
-    result.memory_bytes = static_cast<int64_t>(arm.path().memory_bytes() + subject.scene.memory_bytes());
-    return result;
+void fail(CellResult& cell, CellStatus status, const std::string& reason) {
+    cell.status = status;
+    cell.reason = reason;
+    cell.too_slow_at_lights.reset();
+    cell.work.reset();
+    cell.work_key.reset();
+    cell.shared_with.reset();
+    cell.skip_proof.reset();
+    cell.error.reset();
 }
 
-// Another path's cell, without what that path does not use.
-CellParams with_path(CellParams cell, const std::string& path) {
-    cell.path = path;
-    const PathInfo& info = find_path(path);
-    if (!info.uses_layout) cell.layout.clear();
-    if (!info.uses_light_lists) cell.light_lists.clear();
-    return cell;
-}
-
-// Draws another frame.
-void count_lights(Arm& arm, std::optional<int64_t> light_hits, CellWork& work) {
-    const auto evaluations = static_cast<int64_t>(arm.count_light_evaluations());
-    work.light_evaluations = evaluations;
-    if (light_hits && evaluations > 0) {
-        work.false_positive_rate = 1.0 - static_cast<double>(*light_hits) / static_cast<double>(evaluations);
+// False when it failed: the cell says why.
+bool attempt(CellResult& cell, const std::function<void()>& action) {
+    try {
+        action();
+        gl::Context::current()->throw_on_debug_errors(cell.name);
+        return true;
+    } catch (const InputError& error) {
+        fail(cell, CellStatus::invalid, error.what());
+    } catch (const EnvironmentError& error) {
+        fail(cell, CellStatus::skipped, error.what());
+    } catch (const std::exception& error) {
+        fail(cell, CellStatus::error, error.what());
     }
-    if (const LightListService* lists = arm.path().light_lists()) {
-        work.list_entries = static_cast<int64_t>(lists->read().indices.size());
-    }
+    return false;
 }
 
 void append(const FrameSample& sample, int64_t round, const std::vector<std::string>& pass_names, Samples& samples) {
@@ -100,7 +87,14 @@ bool tight(const std::vector<int64_t>& ns, double target) {
     return *interval.high - *interval.low <= 2.0 * target * interval.estimate;
 }
 
-}  // namespace
+// Cells that were not sampled since another of their group is the same work.
+void share_within(GroupResult& group) {
+    for (auto& cell : group.cells) {
+        if (!cell.shared_with) continue;
+        const auto like = std::ranges::find(group.cells, *cell.shared_with, &CellResult::id);
+        share(*like, cell);
+    }
+}
 
 // The timer passed its test, but one frame of many may still be off: said, and not hidden.
 void warn_of_impossible_times(CellResult& cell) {
@@ -115,42 +109,26 @@ void warn_of_impossible_times(CellResult& cell) {
     }
 }
 
+}  // namespace
+
 // A place in the round: a cell's arm, or the twin of the first one.
 struct GroupRunner::Slot {
     Arm* arm = nullptr;
     size_t cell = 0;
     bool twin = false;
-    std::unique_ptr<Arm> owned;
 };
-
-// What the cells of a group are compared with, or why there is none.
-struct GroupRunner::Truth {
-    std::optional<Picture> control;
-    std::optional<Reference> reference;
-    std::optional<int64_t> light_hits;
-    std::vector<std::string> failures;
-    std::map<uint64_t, CellError> errors_of_picture;  // by a hash of its texels: many paths give the very same picture
-};
-
-CellParams control_cell(const CellParams& any_cell_of_group, size_t light_count) {
-    const bool plain = light_count <= kMostLightsOfPlainControl;
-    CellParams control = any_cell_of_group;
-    control.path = plain ? "deferred" : "deferred_clustered";
-    control.layout = "float32";
-    control.light_lists = plain ? "" : "cpu";
-    control.hdr = "rgba32f";
-    return control;
-}
 
 GroupRunner::GroupRunner(SceneStore& scenes, std::string timer_method, const std::atomic<bool>& interrupted)
-    : scenes_(&scenes), interrupted_(&interrupted), timer_(make_frame_timer(timer_method)) {}
+    : scenes_(&scenes),
+      interrupted_(&interrupted),
+      timer_(make_frame_timer(timer_method)),
+      truths_(buffers_, shapes_),
+      choices_(buffers_, shapes_) {}
 
 void GroupRunner::remember(const GroupResult& group) {
     slow_arms_.remember(group);
-    for (const auto& cell : group.cells) {
-        const bool chosen = cell.light_lists && cell.light_lists->asked == kAutoLightLists;
-        if (chosen && !auto_light_lists_) auto_light_lists_ = cell.light_lists;
-    }
+    choices_.remember(group);
+    shared_work_.remember(group);
 }
 
 FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
@@ -159,95 +137,18 @@ FrameSample GroupRunner::take(Arm& arm, GroupResult& result) {
     return sample;
 }
 
-Picture GroupRunner::draw_control(const CellParams& cell, const Subject& subject, GroupResult& result) {
-    const int64_t start = now_ns();
-    Arm arm(control_cell(cell, subject.lights.size()), subject, buffers_, shapes_);
-    arm.draw();
-    result.frames_s += seconds_since(start);
-    return picture_of(arm.hdr_image());
-}
-
-GroupRunner::Truth GroupRunner::find_truth(const CellParams& cell, const Subject& subject, GroupResult& result) {
-    Truth truth;
-    try {
-        truth.control = draw_control(cell, subject, result);
-    } catch (const std::exception& error) {
-        truth.failures.push_back(std::string("no error against the control arm: ") + error.what());
-    }
-    try {
-        references_.look_at(subject, buffers_, shapes_);
-        truth.reference = references_.reference(subject);
-        truth.light_hits = count_light_hits(references_.surfaces(), subject.lights, subject.scene.scene().camera.eye);
-        const auto subpixel_bits = static_cast<int>(gl::Context::current()->limits().subpixel_bits);
-        GroupReference& record = result.reference.emplace();
-        record.key = truth.reference->key;
-        record.from_cache = truth.reference->from_cache;
-        record.seconds = truth.reference->seconds;
-        record.subpixel_bits = subpixel_bits;
-        if (truth.control) {
-            const Reference snapped = references_.reference(subject, subpixel_bits);
-            record.from_cache = record.from_cache && snapped.from_cache;
-            record.seconds += snapped.seconds;
-            const auto& surfaces = references_.surfaces();
-            record.control_exact = relative_error(truth.reference->picture.hdr, truth.control->hdr, surfaces);
-            record.control_snapped = relative_error(snapped.picture.hdr, truth.control->hdr, surfaces);
-        }
-    } catch (const std::exception& error) {
-        truth.failures.push_back(std::string("no error against the reference: ") + error.what());
-    }
-    return truth;
-}
-
-CellParams GroupRunner::resolve(const CellParams& params, const Subject& subject, CellResult& cell) {
-    CellParams drawn = params;
-    if (params.light_lists == kAutoLightLists) {
-        cell.light_lists = auto_light_lists();
-        drawn.light_lists = cell.light_lists->used;
-    }
-    if (params.path == kAutoPath) {
-        if (!costs_) throw InputError("path=auto", "no cost model; `lightsweep doctor --calibrate` measures one");
-        cell.auto_path = choose_path(*costs_, cost_features(subject, buffers_, shapes_));
-        const auto candidates = may_be_fastest(*costs_, *cell.auto_path);
-        if (candidates.size() > 1) {
-            std::vector<CellParams> cells;
-            for (const auto& path : candidates) cells.push_back(with_path(drawn, path));
-            const auto tried = try_arms(cells, subject, buffers_, shapes_);
-            for (size_t i = 0; i < candidates.size(); ++i) {
-                if (tried[i]) cell.auto_path->tried_ns[candidates[i]] = *tried[i];
-            }
-            decide_by_trial(*cell.auto_path);
-        }
-        drawn = with_path(drawn, cell.auto_path->path);
-    }
-    if (drawn.light_lists.empty()) {
-        cell.light_lists.reset();
-    } else if (params.light_lists != kAutoLightLists) {
-        cell.light_lists = ListChoice{.asked = params.light_lists, .used = params.light_lists, .why = "asked for"};
-    }
-    return drawn;
-}
-
-// The one that is faster on this device; found out once.
-const ListChoice& GroupRunner::auto_light_lists() {
-    if (!auto_light_lists_) {
-        const ListProbe probe = probe_light_lists();
-        const std::string& used = list_builder_names()[static_cast<size_t>(probe.faster())];
-        auto_light_lists_ = ListChoice{.asked = kAutoLightLists, .used = used, .why = probe.why()};
-    }
-    return *auto_light_lists_;
-}
-
 // Makes an arm ready: compiled, its work counted, its caches warm. One that is too slow is drawn and no more: the cell
 // says so.
 std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subject& subject, const SamplingRules& rules,
                                           GroupResult& result, CellResult& cell) {
-    const CellParams drawn = resolve(params, subject, cell);
+    const CellParams drawn = choices_.resolve(params, subject, cell);
     const int64_t start = now_ns();
     auto arm = std::make_unique<Arm>(drawn, subject, buffers_, shapes_);
     double frame_s = static_cast<double>(arm->sample(*timer_).wall_ns) * kNsToS;
     cell.first_frame_ns = now_ns() - start;
     result.frames_s += seconds_since(start);
-    cell.work = cell_work(*arm, subject);
+    cell.work = cell_work(*arm, subject, drawn);
+    cell.work_key = arm->work_key();
     if (frame_s > rules.max_frame_s && frame_s <= kSurelyTooSlow * rules.max_frame_s) {
         frame_s = static_cast<double>(take(*arm, result).wall_ns) * kNsToS;
     }
@@ -260,113 +161,61 @@ std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subjec
 }
 
 // What is left to do before sampling.
-void GroupRunner::settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell) {
+void GroupRunner::settle(Arm& arm, const Subject& subject, const Truth& truth, GroupResult& result, CellResult& cell) {
     const int64_t start = now_ns();
+    const bool occludes = arm.setup().skips.has(Skip::occlusion) && subject.scene.needs().several_instances();
+    const int frames = occludes ? kFramesToSettle : 0;
+    for (int frame = 0; frame < frames || seconds_since(start) < kWarmUpSeconds; ++frame) take(arm, result);
+    cell.work = cell_work(arm, subject, drawn_params(cell));
+    cell.work->light_hits = truth.light_hits;
     count_lights(arm, truth.light_hits, *cell.work);
-    while (seconds_since(start) < kWarmUpSeconds) take(arm, result);
 }
 
-const LayoutError& GroupRunner::layout_error_of(const CellParams& params, const Arm& arm, const Subject& subject) {
-    const Scene& scene = subject.scene.scene();
-    // By the layout as the user named it: two files may have one key.
-    const std::string key =
-        fmt::format("{} {}x{} {}", scene.content_hash, subject.width, subject.height, params.layout);
-    auto found = layout_errors_.find(key);
-    if (found == layout_errors_.end()) {  // entered only when it is known: a failure must not leave an empty one
-        const auto decoded = draw_decoded_surface(arm.setup(), subject, buffers_, shapes_);
-        found = layout_errors_.emplace(key, layout_error(references_.surfaces(), decoded, subject.scene.needs())).first;
-    }
-    return found->second;
-}
-
-CellError GroupRunner::picture_errors(const Image& hdr, Truth& truth, const SamplingRules& rules, CellResult& cell) {
-    const uint64_t hash =
-        hash_bytes({reinterpret_cast<const char*>(hdr.rgb.data()), hdr.rgb.size() * sizeof(hdr.rgb[0])});
-    const auto known = truth.errors_of_picture.find(hash);
-    if (known != truth.errors_of_picture.end() && rules.maps_folder.empty()) return known->second;
-    const Picture picture = picture_of(hdr);
-    CellError error;
-    if (truth.control) error.control = picture_error(*truth.control, picture, HdrFlip::leave_out);
-    if (!truth.reference) return error;
-    const Picture& reference = truth.reference->picture;
-    error.reference = picture_error(reference, picture, HdrFlip::measure);
-    if (truth.control) error.packing_share = packing_share(reference.display, truth.control->display, picture.display);
-    const FlipMap map = ldr_flip(reference.display, picture.display);
-    if (const auto interval = mean_interval(map)) {
-        error.flip_mean_low = interval->low;
-        error.flip_mean_high = interval->high;
-    }
-    if (!rules.maps_folder.empty()) {
-        try {
-            write_flip_map(map, rules.maps_folder / (cell.id + ".png"));
-        } catch (const InputError& failure) {  // a full disk must not cost what is measured
-            cell.warnings.push_back(std::string("no FLIP map: ") + failure.what());
-        }
-    }
-    truth.errors_of_picture[hash] = error;
-    return error;
-}
-
-CellError GroupRunner::cell_error(const Arm& arm, const Subject& subject, Truth& truth, const SamplingRules& rules,
-                                  CellResult& cell) {
-    CellError error = picture_errors(arm.hdr_image(), truth, rules, cell);
-    if (!truth.reference) return error;
-    if (!arm.setup().layout.targets.empty()) {
-        try {
-            const LayoutError& layout = layout_error_of(cell.params, arm, subject);
-            error.fields = layout.fields;
-            error.lost_px = layout.lost_px;
-        } catch (const EnvironmentError& failure) {  // no room for the probe's targets: the arm itself can be timed
-            cell.warnings.push_back(std::string("no errors of the fields: ") + failure.what());
-        }
-    }
-    return error;
-}
-
-void GroupRunner::prepare(const PlanGroup& group, const Subject& subject, const SamplingRules& rules,
-                          GroupResult& result, std::vector<Slot>& slots) {
-    std::optional<Truth> truth;  // once a cell is drawn
+// A first frame of each cell; null where it cannot be drawn, or need not.
+GroupRunner::Arms GroupRunner::draw_cells(const PlanGroup& group, const Subject& subject, const SamplingRules& rules,
+                                          GroupResult& result) {
+    Arms arms;
+    SkipProofs proofs(group.cells);
     for (const auto& params : group.cells) {
-        CellResult cell = new_cell(params, subject.scene.scene(), subject.lights.size());
+        if (*interrupted_ && !result.cells.empty()) break;
+        CellResult& cell = result.cells.emplace_back(new_cell(params, subject.scene.scene(), subject.lights.size()));
+        std::unique_ptr<Arm>& arm = arms.emplace_back();
         if (const auto slow = slow_arms_.find(cell.params)) {
             cell.status = CellStatus::skipped;
             cell.reason = slow->reason;
             cell.too_slow_at_lights = slow->lights;
-            result.cells.push_back(std::move(cell));
             continue;
         }
-        if (!truth) truth = find_truth(params, subject, result);
-        const auto fail = [&](CellStatus status, const std::string& reason) {
-            cell.status = status;
-            cell.reason = reason;
-            cell.too_slow_at_lights.reset();
-            cell.work.reset();
-            cell.error.reset();
-        };
-        try {
-            auto arm = warm_up(params, subject, rules, result, cell);
-            cell.error = cell_error(*arm, subject, *truth, rules, cell);
-            cell.warnings.insert(cell.warnings.end(), truth->failures.begin(), truth->failures.end());
-            cell.work->light_hits = truth->light_hits;
-            const bool fast_enough = cell.status == CellStatus::ok;
-            if (fast_enough) settle(*arm, *truth, result, cell);
-            gl::Context::current()->throw_on_debug_errors(cell.name);
-            if (fast_enough) {
-                slots.push_back(
-                    {.arm = arm.get(), .cell = result.cells.size(), .twin = false, .owned = std::move(arm)});
-            }
-        } catch (const InputError& error) {
-            fail(CellStatus::invalid, error.what());
-        } catch (const EnvironmentError& error) {
-            fail(CellStatus::skipped, error.what());
-        } catch (const std::exception& error) {
-            fail(CellStatus::error, error.what());
-        }
-        result.cells.push_back(std::move(cell));
-        if (*interrupted_) break;
+        const bool drawn = attempt(cell, [&] {
+            arm = warm_up(params, subject, rules, result, cell);
+            if (proofs.wants(params)) cell.skip_proof = proofs.prove(cell, arm->hdr_image());
+        });
+        if (!drawn) arm.reset();
     }
-    if (slots.empty()) return;
-    slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true, .owned = {}});
+    return arms;
+}
+
+// Compares what was drawn with the truth, and makes ready what is to be sampled: of the others no arm is left.
+void GroupRunner::prepare(Arms& arms, const Subject& subject, const SamplingRules& rules, GroupResult& result) {
+    const auto first = std::ranges::find_if(arms, [](const auto& arm) { return arm != nullptr; });
+    if (first == arms.end()) return;
+    Truth truth = truths_.find(result.cells[static_cast<size_t>(first - arms.begin())].params, subject, result);
+    for (size_t i = 0; i < arms.size(); ++i) {
+        if (!arms[i]) continue;
+        CellResult& cell = result.cells[i];
+        const bool done = attempt(cell, [&] {
+            cell.error = truths_.error(*arms[i], subject, rules.maps_folder, truth, cell);
+            cell.warnings.insert(cell.warnings.end(), truth.failures.begin(), truth.failures.end());
+            cell.work->light_hits = truth.light_hits;
+            if (cell.status != CellStatus::ok) return;
+            for (size_t j = 0; j < i && !cell.shared_with; ++j) {
+                if (arms[j] && same_work(result.cells[j], cell)) cell.shared_with = result.cells[j].id;
+            }
+            if (!cell.shared_with) settle(*arms[i], subject, truth, result, cell);
+        });
+        if (!done || cell.status != CellStatus::ok || cell.shared_with) arms[i].reset();
+        if (*interrupted_) return;
+    }
 }
 
 std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
@@ -374,7 +223,7 @@ std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start
     const int64_t sampling_start_ns = now_ns();
     for (int round = 0;; ++round) {
         for (const size_t s : schedule(slots.size(), static_cast<size_t>(round))) {
-            if (*interrupted_) return "interrupted";
+            if (*interrupted_) return kInterruptedReason;
             const Slot& slot = slots[s];
             const FrameSample sample = take(*slot.arm, result);
             if (slot.twin) {
@@ -401,6 +250,12 @@ std::string GroupRunner::sample_rounds(const SamplingRules& rules, int64_t start
 }
 
 GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress) {
+    GroupResult result = measure(group, rules, progress);
+    remember(result);
+    return result;
+}
+
+GroupResult GroupRunner::measure(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress) {
     const int64_t start_ns = now_ns();
     GroupResult result;
     result.group = group.key;
@@ -412,10 +267,16 @@ GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules,
                                                 {first.overlap.value_or(scene.lights.default_overlap)}),
                           .width = first.width,
                           .height = first.height};
+    Arms arms = draw_cells(group, subject, rules, result);
+    // A map is asked for of each cell.
+    if (rules.maps_folder.empty() && shared_work_.share_group(result)) return result;
+    prepare(arms, subject, rules, result);
     std::vector<Slot> slots;
-    prepare(group, subject, rules, result, slots);
-    remember(result);
+    for (size_t i = 0; i < arms.size(); ++i) {
+        if (arms[i]) slots.push_back({.arm = arms[i].get(), .cell = i});
+    }
     if (slots.empty()) return result;
+    slots.push_back({.arm = slots.front().arm, .cell = slots.front().cell, .twin = true});
     result.noise = NoiseTwin{.arm = result.cells[slots.front().cell].name, .round = {}, .wall_ns = {}};
     const std::string stop_reason = sample_rounds(rules, start_ns, result, slots, progress);
     for (const auto& slot : slots) {
@@ -423,6 +284,7 @@ GroupResult GroupRunner::run(const PlanGroup& group, const SamplingRules& rules,
         result.cells[slot.cell].stop_reason = stop_reason;
         warn_of_impossible_times(result.cells[slot.cell]);
     }
+    if (stop_reason != kInterruptedReason) share_within(result);
     return result;
 }
 

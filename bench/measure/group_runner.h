@@ -1,20 +1,21 @@
 // Measures one group: all arms live at once, their frames interleaved in a balanced order so that what slows the
 // machine slows them alike; the first arm runs a second time as its own twin, whose ratio to it is the noise floor.
+// Cells that ask for the same work as others share their samples.
 #pragma once
 
 #include "bench/measure/arm.h"
-#include "bench/measure/cell_error.h"
-#include "bench/measure/cost_model.h"
-#include "bench/measure/reference_store.h"
+#include "bench/measure/choices.h"
 #include "bench/measure/scene_store.h"
+#include "bench/measure/shared_work.h"
 #include "bench/measure/slow_arms.h"
+#include "bench/measure/truth.h"
 #include "bench/plan/plan.h"
 #include "bench/report/record.h"
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,12 +38,14 @@ using GroupProgress = std::function<void(double fraction)>;
 class GroupRunner {
   public:
     GroupRunner(SceneStore& scenes, std::string timer_method, const std::atomic<bool>& interrupted);
+    GroupRunner(const GroupRunner&) = delete;
+    GroupRunner& operator=(const GroupRunner&) = delete;
 
     /// What path=auto decides by. Without it a cell that asks for it is invalid.
-    void know_costs(CostModel costs) { costs_ = std::move(costs); }
+    void know_costs(CostModel costs) { choices_.know_costs(std::move(costs)); }
 
-    /// A group of this run that was measured before: its slow arms and what `auto` came to hold from here on. Those
-    /// that run() returns are known already.
+    /// A group of this run that was measured before: its slow arms, its samples and what `auto` came to hold from here
+    /// on. Those that run() returns are known already.
     void remember(const GroupResult& group);
 
     /// A cell that cannot be measured is recorded with its reason and the rest goes on. Throws InputError when the
@@ -50,22 +53,14 @@ class GroupRunner {
     GroupResult run(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress);
 
   private:
+    using Arms = std::vector<std::unique_ptr<Arm>>;
     struct Slot;
-    struct Truth;
-    Picture draw_control(const CellParams& cell, const Subject& subject, GroupResult& result);
-    Truth find_truth(const CellParams& cell, const Subject& subject, GroupResult& result);
-    void prepare(const PlanGroup& group, const Subject& subject, const SamplingRules& rules, GroupResult& result,
-                 std::vector<Slot>& slots);
-    /// The cell as it is drawn, with nothing left to choose; says in `cell` what was chosen.
-    CellParams resolve(const CellParams& params, const Subject& subject, CellResult& cell);
-    const ListChoice& auto_light_lists();
+    GroupResult measure(const PlanGroup& group, const SamplingRules& rules, const GroupProgress& progress);
+    Arms draw_cells(const PlanGroup& group, const Subject& subject, const SamplingRules& rules, GroupResult& result);
+    void prepare(Arms& arms, const Subject& subject, const SamplingRules& rules, GroupResult& result);
     std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, const SamplingRules& rules,
                                  GroupResult& result, CellResult& cell);
-    void settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell);
-    CellError picture_errors(const Image& hdr, Truth& truth, const SamplingRules& rules, CellResult& cell);
-    CellError cell_error(const Arm& arm, const Subject& subject, Truth& truth, const SamplingRules& rules,
-                         CellResult& cell);
-    const LayoutError& layout_error_of(const CellParams& params, const Arm& arm, const Subject& subject);
+    void settle(Arm& arm, const Subject& subject, const Truth& truth, GroupResult& result, CellResult& cell);
     std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
                               std::vector<Slot>& slots, const GroupProgress& progress);
     FrameSample take(Arm& arm, GroupResult& result);
@@ -75,15 +70,10 @@ class GroupRunner {
     std::unique_ptr<FrameTimer> timer_;
     FrameBuffers buffers_;
     DrawShapes shapes_;
-    ReferenceStore references_;
+    TruthFinder truths_;
+    Choices choices_;
     SlowArms slow_arms_;
-    std::optional<CostModel> costs_;
-    std::optional<ListChoice> auto_light_lists_;        ///< once it was asked for
-    std::map<std::string, LayoutError> layout_errors_;  ///< by scene, size and layout: lights change nothing here
+    SharedWork shared_work_;
 };
-
-/// The control arm of a group: nothing packed. What its cells' pictures differ from this one's is the packing's doing.
-/// With many lights it takes the listed ones alone, which gives the same picture sooner.
-CellParams control_cell(const CellParams& any_cell_of_group, size_t light_count);
 
 }  // namespace lightsweep

@@ -5,6 +5,9 @@
 namespace lightsweep {
 namespace {
 
+// A probe's targets are read when the frame is over: they must be kept.
+constexpr SkipSet kProbeSkips = SkipSet::all().without(Skip::clears);
+
 // Calls visit(index of the pixel from the top row, index of the texel from the bottom row) for every pixel.
 template <class Visit>
 void for_each_pixel(int width, int height, Visit visit) {
@@ -23,7 +26,7 @@ float alpha_of(const std::vector<float>& rgba, size_t texel) { return rgba[4 * t
 }  // namespace
 
 Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes) {
-    const PathSetup setup{.needs = subject.scene.needs(), .layout = {}, .hdr = {}};
+    const PathSetup setup{.needs = subject.scene.needs(), .layout = {}, .hdr = {}, .skips = kProbeSkips};
     const VisibleTrianglePath probe = build_visible_triangles(setup);
     Arm arm(probe.path, setup, subject, buffers, shapes);
     arm.draw();
@@ -50,8 +53,9 @@ Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const 
     return result;
 }
 
-std::vector<DecodedSurface> draw_decoded_surface(const PathSetup& setup, const Subject& subject, FrameBuffers& buffers,
+std::vector<DecodedSurface> draw_decoded_surface(PathSetup setup, const Subject& subject, FrameBuffers& buffers,
                                                  const DrawShapes& shapes) {
+    setup.skips = kProbeSkips;
     const DecodedSurfacePath probe = build_decoded_surface(setup);
     Arm arm(probe.path, setup, subject, buffers, shapes);
     arm.draw();

@@ -25,7 +25,7 @@ struct DecodedSurface {
 };
 
 /// Draws the layout's G-buffer of the subject's view and reads it back, one surface per pixel.
-std::vector<DecodedSurface> draw_decoded_surface(const PathSetup& setup, const Subject& subject, FrameBuffers& buffers,
+std::vector<DecodedSurface> draw_decoded_surface(PathSetup setup, const Subject& subject, FrameBuffers& buffers,
                                                  const DrawShapes& shapes);
 
 }  // namespace lightsweep

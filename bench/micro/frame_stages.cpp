@@ -49,12 +49,12 @@ void build(benchmark::State& state, int64_t instances, int lights) {
     Frame frame;
     for (auto _ : state) {
         build_frame(input.gpu_scene, input.lights, input.setup, frame);
-        benchmark::DoNotOptimize(frame.visible_instances.data());
+        benchmark::DoNotOptimize(frame.visible.instances.data());
         benchmark::DoNotOptimize(frame.lights.data());
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * (instances + lights));
-    state.counters["visible"] = static_cast<double>(frame.visible_instances.size() + frame.lights.size());
+    state.counters["visible"] = static_cast<double>(frame.visible.instances.size() + frame.lights.size());
 }
 
 void upload(benchmark::State& state, int64_t instances, int lights) {
@@ -66,7 +66,7 @@ void upload(benchmark::State& state, int64_t instances, int lights) {
         buffers.upload(frame);
         gl::finish();
     }
-    const size_t bytes = sizeof frame.data + frame.visible_instances.size() * sizeof(uint32_t) +
+    const size_t bytes = sizeof frame.data + frame.visible.instances.size() * sizeof(uint32_t) +
                          frame.lights.size() * sizeof(shared::LightData);
     state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(bytes));
 }

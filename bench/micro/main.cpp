@@ -119,6 +119,7 @@ int run(const Options& options, char* program) {
     add_cpu_stages();
     add_reference_stages();
     add_light_list_stages();
+    add_culling_stages();
     add_frame_stages();
     const auto selected = selected_names(program, options.filter);
     if (options.list) {

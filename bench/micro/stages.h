@@ -16,6 +16,9 @@ void add_reference_stages();
 /// Culling lights, and listing them for tiles and clusters. No GL context either.
 void add_light_list_stages();
 
+/// Culling instances against the view and against what hides them, and ordering them. No GL context either.
+void add_culling_stages();
+
 /// Building a frame (culling) and uploading it. They need a current context, since a scene is culled where it was
 /// uploaded.
 void add_frame_stages();

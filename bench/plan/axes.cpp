@@ -5,6 +5,7 @@
 #include "renderer/base/json_reader.h"
 #include "renderer/base/names.h"
 #include "renderer/base/resources.h"
+#include "renderer/base/skips.h"
 
 #include <fmt/format.h>
 
@@ -72,12 +73,24 @@ std::vector<std::string> every_value(const CellField& axis, const Catalog& catal
     if (axis.name == "layout") return catalog.layouts;
     if (axis.name == "light_lists") return {kLightListBuilders.begin() + 1, kLightListBuilders.end()};
     if (axis.name == "hdr") return kHdrFormats;
+    if (axis.name == "skip") return {SkipSet::all().text(), SkipSet::none().text()};
     return {};
+}
+
+// all-*: without each skip in turn; none+*: with it alone. In the order of their table.
+std::vector<std::string> one_skip_each(bool without) {
+    std::vector<std::string> values;
+    for (const auto& info : skip_infos()) {
+        const SkipSet set = without ? SkipSet::all().without(info.skip) : SkipSet::none().with(info.skip);
+        values.push_back(set.text());
+    }
+    return values;
 }
 
 // One word without commas to the values it stands for.
 std::vector<std::string> expand(const CellField& axis, const std::string& token, const Catalog& catalog) {
     if (axis.name == "lights" && token.starts_with("pow2:")) return powers_of_two(token);
+    if (axis.name == "skip" && (token == "all-*" || token == "none+*")) return one_skip_each(token == "all-*");
     if (token == "*") {
         if (auto values = every_value(axis, catalog); !values.empty()) return values;
     }
@@ -154,7 +167,7 @@ std::vector<std::string> default_axis_values(const CellField& axis, const Catalo
         {"lights", "default"},        {"size", "640x360"},
         {"overlap", "scene"},         {"path", "*"},
         {"layout", "oct32"},          {"light_lists", kAutoLightLists},
-        {"hdr", kHdrFormats.front()},
+        {"hdr", kHdrFormats.front()}, {"skip", kSkipEverything},
     };
     const auto found = otherwise.find(axis.name);
     if (found == otherwise.end())

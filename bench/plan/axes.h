@@ -38,7 +38,8 @@ Catalog shipped_catalog(std::vector<PathName> paths);
 /// Axis name -> its values, each one allowed and existing, in the order written.
 using AxisValues = std::map<std::string, std::vector<std::string>>;
 
-/// The values of one axis from `1,16,256`, `pow2:0:12`, `*`, ... Throws InputError `axis=value: what; allowed`.
+/// The values of one axis from `1,16,256`, `pow2:0:12`, `*`, ... Of skip, `*` is all and none, `all-*` the sets that
+/// lack one skip, and `none+*` those that have one. Throws InputError `axis=value: what; allowed`.
 std::vector<std::string> parse_axis_values(const CellField& axis, const std::string& text, const Catalog& catalog);
 /// The same from a sweep file: a string as above, a number, or a list of numbers and strings without commas.
 std::vector<std::string> parse_axis_values(const CellField& axis, const JsonReader& json, const Catalog& catalog);

@@ -3,8 +3,10 @@
 #include "renderer/base/error.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/names.h"
+#include "renderer/base/skips.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -76,6 +78,43 @@ bool set_one_of(const std::vector<std::string>& allowed, std::string& field, con
     return true;
 }
 
+std::vector<std::string> skip_keys() {
+    std::vector<std::string> keys;
+    for (const auto& info : skip_infos()) keys.emplace_back(info.key);
+    return keys;
+}
+
+const std::string& allowed_skips() {
+    static const std::string allowed =
+        fmt::format("auto, or all or none followed by -KEY or +KEY; keys: {}", fmt::join(skip_keys(), ", "));
+    return allowed;
+}
+
+// The first word that is not what may stand there, with the nearest that may.
+[[noreturn]] void refuse_skips(const std::string& value) {
+    const auto refuse = [&](std::string_view word, const std::vector<std::string>& names) {
+        const std::string near = nearest_name(word, names);
+        const std::string hint = near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near);
+        throw InputError("skip=" + value,
+                         fmt::format("'{}' is not allowed{}; allowed: {}", word, hint, allowed_skips()));
+    };
+    std::vector<std::string> names{kAutoSkip, "all", "none"};
+    for (size_t begin = 0; begin <= value.size(); names = skip_keys()) {
+        const size_t end = std::min(value.find_first_of("+-", begin), value.size());
+        const std::string word = value.substr(begin, end - begin);
+        if (std::ranges::find(names, word) == names.end()) refuse(word, names);
+        begin = end + 1;
+    }
+    throw InputError("skip=" + value, "auto takes no keys; allowed: " + allowed_skips());
+}
+
+bool set_skip(CellParams& cell, const std::string& value) {
+    const auto set = parse_skips(value);
+    if (!set && value != kAutoSkip) refuse_skips(value);
+    cell.skip = set ? set->text() : value;
+    return true;
+}
+
 std::string overlap_text(const CellParams& cell) {
     if (!cell.overlap) return {};
     return *cell.overlap == 0.0 ? "fixed" : fmt::format("{}", *cell.overlap);
@@ -136,6 +175,11 @@ const std::vector<CellField>& cell_fields() {
          .of_group = false,
          .text = [](const CellParams& c) { return c.hdr; },
          .set = [](CellParams& c, const std::string& v) { return set_one_of(kHdrFormats, c.hdr, v); }},
+        {.name = "skip",
+         .allowed = allowed_skips(),
+         .of_group = false,
+         .text = [](const CellParams& c) { return c.skip == kSkipEverything ? std::string() : c.skip; },
+         .set = set_skip},
     };
     return fields;
 }

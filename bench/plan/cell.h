@@ -18,6 +18,10 @@ extern const std::vector<std::string> kLightListBuilders;
 inline constexpr const char* kAutoLightLists = "auto";
 /// The path that stands for the one expected to be fastest (cost_model.h of bench/measure). Not among those of `*`.
 inline constexpr const char* kAutoPath = "auto";
+/// What is skipped unless a cell says otherwise.
+inline constexpr const char* kSkipEverything = "all";
+/// The skips that are worth their cost in this cell (skip_choice.h of bench/measure).
+inline constexpr const char* kAutoSkip = "auto";
 
 struct CellParams {
     std::string scene;              ///< key or file
@@ -29,12 +33,13 @@ struct CellParams {
     std::string layout;             ///< key or file; empty for paths without one
     std::string light_lists{};      ///< one of kLightListBuilders; empty for paths that list no lights
     std::string hdr = "rgba16f";    ///< one of kHdrFormats
+    std::string skip = kSkipEverything;  ///< SkipSet::text(), or auto
 
     bool operator==(const CellParams&) const = default;
 
     /// `scene=atrium lights=64 size=640x360 path=deferred layout=oct16 hdr=rgba16f`: canonical, so that equal cells
-    /// have equal names. What is left out: the scene's own overlap regime, and the layout and the light lists of a path
-    /// without them.
+    /// have equal names. What is left out: the scene's own overlap regime, the layout and the light lists of a path
+    /// without them, and skip=all.
     std::string name() const;
     /// The part of the name that the cells compared with each other share: scene, lights, size, overlap.
     std::string group() const;
@@ -49,11 +54,11 @@ struct CellField {
     bool of_group;        ///< part of the group's key
     /// Empty: left out of the name.
     std::string (*text)(const CellParams&);
-    /// False: the value is not allowed.
+    /// False: the value is not allowed. Throws InputError where it can say more than that.
     bool (*set)(CellParams&, const std::string& value);
 };
 
-/// scene, lights, size, overlap, path, layout, light_lists, hdr: in the order of the name.
+/// scene, lights, size, overlap, path, layout, light_lists, hdr, skip: in the order of the name.
 const std::vector<CellField>& cell_fields();
 /// Throws InputError with the nearest name.
 const CellField& find_cell_field(std::string_view name);

@@ -24,7 +24,7 @@ Sweep load_sweep(const std::string& key_or_path, const Catalog& catalog);
 /// The same from text; `name` stands for the file in messages.
 Sweep parse_sweep(std::string_view text, const std::string& name, const Catalog& catalog);
 
-/// Every cell of every block once, in the order of the blocks; inside a block the last axis (hdr) varies fastest. A
+/// Every cell of every block once, in the order of the blocks; inside a block the last axis (skip) varies fastest. A
 /// value in `overrides` replaces that axis in every block. Paths without a layout, or without light lists, give one
 /// cell for the whole of that axis. Throws InputError when a block has no scene.
 std::vector<CellParams> sweep_cells(const Sweep& sweep, const AxisValues& overrides, const Catalog& catalog);

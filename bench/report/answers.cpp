@@ -15,8 +15,9 @@ using Points = std::vector<TimeErrorPoint>;
 
 std::string words(const CellResult& cell) {
     const CellParams& arm = cell.params;
-    return arm.layout.empty() ? fmt::format("{}/{}", arm.path, arm.hdr)
-                              : fmt::format("{}/{}/{}", arm.path, arm.layout, arm.hdr);
+    const std::string skip = arm.skip == kSkipEverything ? "" : "/skip=" + arm.skip;
+    return arm.layout.empty() ? fmt::format("{}/{}{}", arm.path, arm.hdr, skip)
+                              : fmt::format("{}/{}/{}{}", arm.path, arm.layout, arm.hdr, skip);
 }
 
 // `4.21 [4.18, 4.25]`; an open end is a question mark.

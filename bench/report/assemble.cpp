@@ -7,6 +7,7 @@
 #include "bench/report/json_codec.h"
 #include "bench/report/pairs.h"
 #include "bench/report/report_file.h"
+#include "bench/report/skips.h"
 
 #include "bench/stats/autocorrelation.h"
 #include "bench/stats/quantile.h"
@@ -101,7 +102,8 @@ Json arm_json(const CellParams& arm) {
     return {{"path", arm.path},
             {"layout", codec::or_null(arm.layout)},
             {"light_lists", codec::or_null(arm.light_lists)},
-            {"hdr", arm.hdr}};
+            {"hdr", arm.hdr},
+            {"skip", arm.skip}};
 }
 
 // What all arms of one view share.
@@ -137,6 +139,7 @@ Json fastest_json(const std::vector<FastestOverLights>& fastest) {
         Json json = view_json(view);
         json["layout"] = codec::or_null(view.layout);
         json["hdr"] = view.hdr;
+        json["skip"] = view.skip;
         json["ranges"] = Json::array();
         for (const auto& range : ranges) {
             Json rivals = Json::array();
@@ -150,6 +153,14 @@ Json fastest_json(const std::vector<FastestOverLights>& fastest) {
         result.push_back(std::move(json));
     }
     return result;
+}
+
+Json skips_json(const std::vector<GroupResult>& groups, std::optional<double> run_floor) {
+    Json skips = Json::array();
+    for (const auto& group : groups) {
+        for (const auto& saving : find_skip_savings(group, run_floor)) skips.push_back(to_json(saving));
+    }
+    return skips;
 }
 
 Json references_json(const std::vector<GroupResult>& groups) {
@@ -259,6 +270,7 @@ Json assemble_report(const JournalContent& journal) {
             {"fastest", fastest_json(fastest)},
             {"pareto", pareto_json(journal.groups, floor)},
             {"answers", answers_json(journal, floor)},
+            {"skips", skips_json(journal.groups, floor)},
             {"summary", std::move(summary)}};
 }
 

@@ -70,6 +70,10 @@ Comparison compare_reports(const Report& base, const Report& next, std::optional
             result.warnings.push_back(fmt::format("{}: came to {} in the base and to {} now", cell.name,
                                                   before.auto_path->path, cell.auto_path->path));
         }
+        if (before.auto_skip && cell.auto_skip && before.auto_skip->skip != cell.auto_skip->skip) {
+            result.warnings.push_back(fmt::format("{}: came to skip={} in the base and to {} now", cell.name,
+                                                  before.auto_skip->skip, cell.auto_skip->skip));
+        }
         base_cells.erase(found);
         if (!has_times(before)) continue;
         if (!has_times(cell)) {

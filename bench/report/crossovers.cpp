@@ -22,6 +22,7 @@ std::string words(const CellParams& arm) {
     if (!arm.light_lists.empty() && arm.light_lists != kAutoLightLists) {
         details += (details.empty() ? "" : ", ") + arm.light_lists;
     }
+    if (arm.skip != kSkipEverything) details += (details.empty() ? "skip=" : ", skip=") + arm.skip;
     return details.empty() ? arm.path : fmt::format("{} ({})", arm.path, details);
 }
 
@@ -40,12 +41,13 @@ Series& series_of(std::vector<Series>& all, const CellResult& earlier, const Cel
 std::vector<Series> all_series(const std::vector<GroupResult>& groups) {
     std::vector<Series> all;
     for (const auto& group : groups) {
-        for (size_t i = 0; i < group.cells.size(); ++i) {
-            const CellResult& earlier = group.cells[i];
-            if (!earlier.competes() || !earlier.params.lights) continue;
-            for (size_t j = i + 1; j < group.cells.size(); ++j) {
-                const CellResult& later = group.cells[j];
-                if (!later.competes() || !same_kind(earlier.params, later.params)) continue;
+        const auto arms = competitors(group);
+        for (size_t i = 0; i < arms.size(); ++i) {
+            const CellResult& earlier = *arms[i];
+            if (!earlier.params.lights) continue;
+            for (size_t j = i + 1; j < arms.size(); ++j) {
+                const CellResult& later = *arms[j];
+                if (!same_kind(earlier.params, later.params)) continue;
                 Series& series = series_of(all, earlier, later);
                 const bool turned = series.a == without_lights(earlier.params);
                 const auto ratio = time_ratio(turned ? earlier : later, turned ? later : earlier, kIntervalLevel);

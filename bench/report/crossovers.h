@@ -9,7 +9,7 @@
 
 namespace lightsweep {
 
-/// Two arms of one scene, size and overlap regime, of the same_kind(), over the light count.
+/// Two competitors of one scene, size and overlap regime, of the same_kind(), over the light count.
 struct ArmCrossover {
     CellParams a;  ///< its light count is of no meaning
     CellParams b;

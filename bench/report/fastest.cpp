@@ -5,6 +5,7 @@
 #include "bench/stats/quantile.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -47,6 +48,7 @@ std::vector<CellParams> views_of(const GroupResult& group) {
     for (const bool with_layout : {true, false}) {
         for (const auto& cell : group.cells) {
             if (!cell.params.lights || cell.params.layout.empty() == with_layout) continue;
+            if (cell.params.skip != contested_skip(group)) continue;
             CellParams view = without_lights(cell.params);
             view.path.clear();
             view.light_lists.clear();
@@ -92,9 +94,8 @@ std::vector<FastestOverLights> find_fastest(const std::vector<GroupResult>& grou
         const auto floor = floor_of(group, run_floor);
         for (const auto& view : views_of(group)) {
             std::vector<const CellResult*> arms;
-            for (const auto& cell : group.cells) {
-                if (cell.competes() && same_kind(cell.params, view)) arms.push_back(&cell);
-            }
+            std::ranges::copy_if(competitors(group), std::back_inserter(arms),
+                                 [&](const CellResult* cell) { return same_kind(cell->params, view); });
             if (arms.empty()) continue;
             auto contest = std::ranges::find(contests, view, &Contest::view);
             if (contest == contests.end()) {

@@ -22,7 +22,7 @@ struct FastestRange {
     std::vector<CellParams> rivals;  ///< those that are not surely slower at some count
 };
 
-/// Among the arms of one scene, size, overlap regime and HDR format that have one layout, or none.
+/// Among the competitors of one scene, size, overlap regime, HDR format and skips that have one layout, or none.
 struct FastestOverLights {
     CellParams view;  ///< without path, lights and light lists; its layout is that of the arms that have one
     std::vector<FastestRange> ranges;  ///< by rising light count

@@ -20,7 +20,8 @@ std::vector<Arms> arms_to_compare(const GroupResult& group) {
     for (const CellResult* arm : arms) {
         if (arm->params.layout.empty()) continue;
         const auto twin = std::ranges::find_if(arms, [&](const CellResult* other) {
-            return other->params.path == kBaselinePath && other->params.hdr == arm->params.hdr;
+            return other->params.path == kBaselinePath && other->params.hdr == arm->params.hdr &&
+                   other->params.skip == arm->params.skip;
         });
         if (twin == arms.end() || std::ranges::find(pairs, Arms{arm, *twin}) != pairs.end()) continue;
         // The group's first arm may have a layout: then the forward arm stands against it already.
@@ -31,22 +32,43 @@ std::vector<Arms> arms_to_compare(const GroupResult& group) {
 
 }  // namespace
 
-std::optional<PairedRatio> ratio_by_round(const std::vector<int64_t>& round_a, const std::vector<int64_t>& wall_ns_a,
-                                          const std::vector<int64_t>& round_b, const std::vector<int64_t>& wall_ns_b,
-                                          double level) {
+const std::string& contested_skip(const GroupResult& group) {
+    CHECK(!group.cells.empty());
+    const auto found =
+        std::ranges::find_if(group.cells, [](const CellResult& cell) { return cell.params.skip == kSkipEverything; });
+    return (found != group.cells.end() ? *found : group.cells.front()).params.skip;
+}
+
+std::vector<const CellResult*> competitors(const GroupResult& group) {
+    std::vector<const CellResult*> result;
+    for (const auto& cell : group.cells) {
+        const bool own_arm = cell.params.path != kAutoPath && cell.params.skip == contested_skip(group);
+        if (cell.measured() && own_arm) result.push_back(&cell);
+    }
+    return result;
+}
+
+PairedFrames pair_by_round(const std::vector<int64_t>& round_a, const std::vector<int64_t>& wall_ns_a,
+                           const std::vector<int64_t>& round_b, const std::vector<int64_t>& wall_ns_b) {
     CHECK_THAT(round_a.size() == wall_ns_a.size(), "{} rounds, {} samples", round_a.size(), wall_ns_a.size());
     CHECK_THAT(round_b.size() == wall_ns_b.size(), "{} rounds, {} samples", round_b.size(), wall_ns_b.size());
-    std::vector<double> a;
-    std::vector<double> b;
+    PairedFrames paired;
     for (size_t i = 0, j = 0; i < round_a.size() && j < round_b.size();) {
         if (round_a[i] == round_b[j]) {
-            a.push_back(static_cast<double>(wall_ns_a[i++]));
-            b.push_back(static_cast<double>(wall_ns_b[j++]));
+            paired.a_ns.push_back(static_cast<double>(wall_ns_a[i++]));
+            paired.b_ns.push_back(static_cast<double>(wall_ns_b[j++]));
         } else {
             ++(round_a[i] < round_b[j] ? i : j);
         }
     }
-    return ratio_of_pairs(a, b, level);
+    return paired;
+}
+
+std::optional<PairedRatio> ratio_by_round(const std::vector<int64_t>& round_a, const std::vector<int64_t>& wall_ns_a,
+                                          const std::vector<int64_t>& round_b, const std::vector<int64_t>& wall_ns_b,
+                                          double level) {
+    const auto [a_ns, b_ns] = pair_by_round(round_a, wall_ns_a, round_b, wall_ns_b);
+    return ratio_of_pairs(a_ns, b_ns, level);
 }
 
 std::optional<PairedRatio> time_ratio(const CellResult& a, const CellResult& b, double level) {

@@ -16,6 +16,20 @@ inline constexpr double kIntervalLevel = 0.95;
 /// The path that the others are compared with.
 inline constexpr const char* kBaselinePath = "forward";
 
+/// The `skip` of the arms that a group's answers, fronts and crossovers are about, one for all of them: all, where a
+/// cell has it, else the first cell's. What other sets cost is told in `skips`.
+const std::string& contested_skip(const GroupResult& group);
+
+/// The measured cells with that `skip` that are arms of their own: path=auto draws what another arm draws.
+std::vector<const CellResult*> competitors(const GroupResult& group);
+
+/// The wall times of the frames of both that share a round, in the order taken.
+struct PairedFrames {
+    std::vector<double> a_ns, b_ns;
+};
+PairedFrames pair_by_round(const std::vector<int64_t>& round_a, const std::vector<int64_t>& wall_ns_a,
+                           const std::vector<int64_t>& round_b, const std::vector<int64_t>& wall_ns_b);
+
 /// Ratio a over b of the wall times of the frames that share a round. Rounds in the order taken. Nothing when none
 /// does.
 std::optional<PairedRatio> ratio_by_round(const std::vector<int64_t>& round_a, const std::vector<int64_t>& wall_ns_a,
@@ -46,9 +60,9 @@ struct ArmPair {
     std::optional<double> floor;  ///< the noise floor it was judged by
 };
 
-/// Every arm against the group's first, and every arm with a layout against the forward arm of the same HDR format;
-/// each pair once, arms that are not ok left out. The interval is of kIntervalLevel; the verdict is given on the wider
-/// one of level_for_each(), so that all verdicts of the group hold together with that level. It is judged by
+/// Every arm against the group's first, and every arm with a layout against the forward arm of the same HDR format and
+/// skips; each pair once, arms that are not ok left out. The interval is of kIntervalLevel; the verdict is given on the
+/// wider one of level_for_each(), so that all verdicts of the group hold together with that level. It is judged by
 /// floor_of(); without one it stays ambiguous.
 std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor);
 

@@ -155,6 +155,20 @@ void visit_fields(Is<PathChoice> auto& r, auto visit) {
     visit("tried_ns", r.tried_ns);
 }
 
+void visit_fields(Is<SkipChoice> auto& r, auto visit) {
+    visit("skip", r.skip);
+    visit("why", r.why);
+    visit("tried_ratio", r.tried_ratio);
+}
+
+void visit_fields(Is<SkipProof> auto& r, auto visit) {
+    visit("compared_with", r.compared_with);
+    visit("same_bits", r.same_bits);
+    visit("max_abs", r.max_abs);
+    visit("max_rel", r.max_rel);
+    visit("differing_px", r.differing_px);
+}
+
 void visit_fields(Is<CellResult> auto& r, auto visit) {
     visit("id", r.id);
     visit("group", r.group);
@@ -166,6 +180,10 @@ void visit_fields(Is<CellResult> auto& r, auto visit) {
     visit("warnings", r.warnings);
     visit("light_lists", r.light_lists);
     visit("auto_path", r.auto_path);
+    visit("auto_skip", r.auto_skip);
+    visit("work_key", r.work_key);
+    visit("shared_with", r.shared_with);
+    visit("skip_proof", r.skip_proof);
     visit("work", r.work);
     visit("first_frame_ns", r.first_frame_ns);
     visit("stop_reason", r.stop_reason);
@@ -231,7 +249,8 @@ struct Codec<CellParams> {
                 {"path", cell.path},
                 {"layout", or_null(cell.layout)},
                 {"light_lists", or_null(cell.light_lists)},
-                {"hdr", cell.hdr}};
+                {"hdr", cell.hdr},
+                {"skip", cell.skip}};
     }
     static CellParams decode(const Json& json, const std::string& where) {
         CellParams cell;
@@ -244,6 +263,7 @@ struct Codec<CellParams> {
         cell.layout = member<std::optional<std::string>>(json, "layout", where).value_or("");
         cell.light_lists = member<std::optional<std::string>>(json, "light_lists", where).value_or("");
         cell.hdr = member<std::string>(json, "hdr", where);
+        cell.skip = member<std::optional<std::string>>(json, "skip", where).value_or(kSkipEverything);
         return cell;
     }
 };
@@ -315,6 +335,8 @@ template Json to_json(const ErrorLimit&);
 template Json to_json(const RunInfo&);
 template Json to_json(const Environment&);
 template Json to_json(const TimerReport&);
+template Json to_json(const CellParams&);
+template Json to_json(const SkipProof&);
 template Json to_json(const CellResult&);
 template Json to_json(const NoiseTwin&);
 template Json to_json(const GroupReference&);

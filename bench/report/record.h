@@ -5,6 +5,7 @@
 #include "bench/plan/plan.h"
 
 #include "bench/metrics/image_error.h"
+#include "renderer/base/skips.h"
 
 #include <nlohmann/json.hpp>
 
@@ -199,6 +200,23 @@ struct PathChoice {
     std::map<std::string, double> tried_ns;
 };
 
+/// What `skip=auto` came to.
+struct SkipChoice {
+    std::string skip;  ///< SkipSet::text()
+    std::string why;
+    /// By skip, of those that were tried: median frame with it over median frame without, all else equal.
+    std::map<std::string, double> tried_ratio;
+};
+
+/// That a cell shows the picture of the group's cell that differs from it in skips alone.
+struct SkipProof {
+    std::string compared_with;  ///< id of that cell, the first of its kind in the group
+    bool same_bits = false;     ///< of the linear HDR picture, as all of this
+    double max_abs = 0.0;       ///< |a - b|, largest channel; not finite where only one of a and b is
+    double max_rel = 0.0;       ///< |a - b| / max(|a|, |b|), the same
+    int64_t differing_px = 0;   ///< in some bit
+};
+
 struct CellResult {
     std::string id;     ///< CellParams::id() of the planned cell
     std::string group;  ///< CellParams::group() of the planned cell
@@ -212,6 +230,12 @@ struct CellResult {
     std::vector<std::string> warnings;
     std::optional<ListChoice> light_lists{};  ///< of paths that have some, once drawn
     std::optional<PathChoice> auto_path{};    ///< of path=auto
+    std::optional<SkipChoice> auto_skip{};    ///< of skip=auto
+    std::optional<std::string> work_key{};    ///< Arm::work_key, once drawn: equal keys are the same work
+    /// The id of the cell whose samples these are, since it is the same work (Skip::cells). Of this run, maybe of
+    /// another group.
+    std::optional<std::string> shared_with{};
+    std::optional<SkipProof> skip_proof{};
     std::optional<CellWork> work;
     std::optional<int64_t> first_frame_ns;   ///< with the compiling of shaders
     std::optional<std::string> stop_reason;  ///< why sampling ended: target_ci, budget, ...
@@ -220,8 +244,8 @@ struct CellResult {
 
     /// It may be compared with others.
     bool measured() const { return status == CellStatus::ok && samples.count() > 0; }
-    /// And is an arm of its own among them: path=auto draws what another arm draws.
-    bool competes() const { return measured() && params.path != kAutoPath; }
+    /// Its skips as they were drawn: those of `auto_skip`, or of `params`. Nothing where nothing was decided.
+    std::optional<SkipSet> skips() const { return parse_skips(auto_skip ? auto_skip->skip : params.skip); }
 };
 
 /// The same arm a second time in the same rounds: its ratio to itself is the noise.

@@ -23,7 +23,7 @@ struct TimeErrorPoint {
     Interval error;    ///< its ends are known for flip_mean alone
 };
 
-/// The measured cells that have this error against the reference, in the group's order. `metric`: one of
+/// The competitors that have this error against the reference, in the group's order. `metric`: one of
 /// metric_value_keys().
 std::vector<TimeErrorPoint> time_error_points(const GroupResult& group, std::string_view metric);
 

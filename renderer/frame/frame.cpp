@@ -1,5 +1,6 @@
 #include "renderer/frame/frame.h"
 
+#include "renderer/frame/cull.h"
 #include "renderer/frame/light_bounds.h"
 #include "shaders/shared/slots.h"
 
@@ -12,37 +13,12 @@
 namespace lightsweep {
 namespace {
 
-struct CameraBasis {
-    glm::dvec3 right, up, forward;
-};
+// Positions that a G-buffer stores in half floats are off by up to 2^-10 of their distance; lights that reach them
+// there count, too.
+constexpr float kLightMargin = 0x1p-9F;
 
-CameraBasis camera_basis(const Camera& camera) {
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
-    return {right, glm::cross(right, forward), forward};
-}
-
-// Planes with inward normals n: a camera-relative point p is inside when dot(n, p) + w >= 0 for all six.
-struct Frustum {
-    std::array<glm::dvec4, 6> planes;
-    bool touches(const glm::dvec3& center, double radius) const {
-        return std::all_of(planes.begin(), planes.end(), [&](const glm::dvec4& plane) {
-            return glm::dot(glm::dvec3(plane), center) + plane.w >= -radius;
-        });
-    }
-};
-
-Frustum make_frustum(const FrameSetup& setup) {
-    const Camera& camera = setup.camera;
-    const CameraBasis basis = camera_basis(camera);
-    const double tan_y = std::tan(glm::radians(camera.fov_y_deg) / 2.0);
-    const double tan_x = tan_y * setup.width / setup.height;
-    const auto side = [&](const glm::dvec3& across, double tangent) {
-        return glm::dvec4(glm::normalize(basis.forward * tangent + across), 0.0);
-    };
-    return {{side(basis.right, tan_x), side(-basis.right, tan_x), side(basis.up, tan_y), side(-basis.up, tan_y),
-             glm::dvec4(basis.forward, -camera.near_distance), glm::dvec4(-basis.forward, camera.far_distance)}};
-}
+// What shaders divide by is its square, and that is no zero. A light without a radius reaches no surface with this one.
+constexpr float kLeastRadius = 1e-18F;
 
 void set_depth_constants(const Camera& camera, DepthConvention convention, shared::FrameData& data) {
     const double n = camera.near_distance, f = camera.far_distance;
@@ -53,58 +29,93 @@ void set_depth_constants(const Camera& camera, DepthConvention convention, share
     data.depth_clear = reversed ? 0.0F : 1.0F;
 }
 
-void cull_instances(const GpuScene& scene, const Camera& camera, const Frustum& frustum, Frame& frame) {
-    frame.draws.clear();
-    frame.visible_instances.clear();
-    const auto& bounds = scene.instance_bounds();
-    for (uint32_t b = 0; b < scene.batches().size(); ++b) {
-        const Batch& batch = scene.batches()[b];
-        const auto first = static_cast<uint32_t>(frame.visible_instances.size());
-        for (const uint32_t i : batch.instances) {
-            if (frustum.touches(bounds[i].center - camera.eye, bounds[i].radius)) frame.visible_instances.push_back(i);
-        }
-        const auto count = static_cast<uint32_t>(frame.visible_instances.size()) - first;
-        frame.work.instances_drawn += count;
-        frame.work.instances_culled += batch.instances.size() - count;
-        if (count == 0) continue;
-        frame.work.triangles += uint64_t{count} * batch.index_count / 3;
-        frame.draws.push_back({b, count, first});
-    }
-    frame.work.draws = frame.draws.size();
-}
+// What a spot's two angles say. Most spots of a scene have the same ones.
+struct SpotCone {
+    double inner_deg = -1.0, outer_deg = -1.0;
+    double cos_outer = 0.0;
+    // (dot(axis, -l) * scale + offset), clamped and squared: 1 inside the inner cone, 0 outside the outer one (glTF
+    // KHR_lights_punctual).
+    float scale = 0.0F, offset = 0.0F;
 
-// (dot(axis, -l) * scale + offset), clamped and squared: 1 inside the inner cone, 0 outside the outer one (glTF
-// KHR_lights_punctual).
-void set_spot(const Light& light, double cos_outer, shared::LightData& data) {
-    const double scale = 1.0 / std::max(std::cos(glm::radians(light.inner_deg)) - cos_outer, 1e-4);
-    data.spot_scale = static_cast<float>(scale);
-    data.spot_offset = static_cast<float>(-cos_outer * scale);
-}
+    void follow(const Light& light) {
+        if (light.inner_deg == inner_deg && light.outer_deg == outer_deg) return;
+        inner_deg = light.inner_deg;
+        outer_deg = light.outer_deg;
+        cos_outer = std::cos(glm::radians(outer_deg));
+        const double exact_scale = 1.0 / std::max(std::cos(glm::radians(inner_deg)) - cos_outer, 1e-4);
+        scale = static_cast<float>(exact_scale);
+        offset = static_cast<float>(-cos_outer * exact_scale);
+    }
+};
 
 shared::LightData light_data(const Light& light, const glm::dvec3& relative) {
     return {.position = glm::vec3(relative),
-            .radius = static_cast<float>(light.radius),
+            .radius = std::max(static_cast<float>(light.radius), kLeastRadius),
             .color = glm::vec3(light.color),
             .spot_scale = 0.0F,
             .direction = glm::vec3(light.direction),
             .spot_offset = 1.0F};
 }
 
-// A point or a spot, when what it reaches touches the view.
-void collect_local_light(const Light& light, const Camera& camera, const Frustum& frustum, Frame& frame) {
-    const glm::dvec3 relative = light.position - camera.eye;
-    if (light.radius <= 0.0 || light.color == glm::dvec3(0.0) || !frustum.touches(relative, light.radius)) return;
-    if (light.kind == LightKind::point) {
-        frame.lights.push_back(light_data(light, relative));
-        return;
+bool gives_nothing(const Light& light) { return light.radius <= 0.0 || light.color == glm::dvec3(0.0); }
+
+// Points and spots on their way into a frame: as many as ViewVolume tests at once.
+class LocalLights {
+  public:
+    explicit LocalLights(Frame& frame) : frame_(frame), view_(frame.setup, kLightMargin) {}
+
+    void add(const Light& light) {
+        const glm::dvec3 relative = light.position - frame_.setup.camera.eye;
+        Sphere sphere{relative, light.radius};
+        if (light.kind == LightKind::spot) {
+            cone_.follow(light);
+            sphere = sphere_around_cone(relative, light.direction, light.radius, cone_.cos_outer);
+        }
+        lights_[count_] = &light;
+        spheres_.x[count_] = static_cast<float>(sphere.center.x);
+        spheres_.y[count_] = static_cast<float>(sphere.center.y);
+        spheres_.z[count_] = static_cast<float>(sphere.center.z);
+        spheres_.radius[count_] = static_cast<float>(sphere.radius);
+        if (++count_ == SphereChunk::kCapacity) finish();
     }
-    const double cos_outer = std::cos(glm::radians(light.outer_deg));
-    const Sphere sphere = sphere_around_cone(relative, light.direction, light.radius, cos_outer);
-    if (!frustum.touches(sphere.center, sphere.radius)) return;
-    set_spot(light, cos_outer, frame.lights.emplace_back(light_data(light, relative)));
-}
+
+    /// Moves those that can reach the view into the frame.
+    void finish() {
+        view_.test(spheres_, count_);
+        for (size_t i = 0; i < count_; ++i) {
+            if (culls_ && spheres_.inside[i] == 0) continue;
+            const Light& light = *lights_[i];
+            frame_.lights.push_back(light_data(light, light.position - frame_.setup.camera.eye));
+            if (light.kind == LightKind::point) continue;
+            cone_.follow(light);
+            frame_.lights.back().spot_scale = cone_.scale;
+            frame_.lights.back().spot_offset = cone_.offset;
+        }
+        count_ = 0;
+    }
+
+  private:
+    Frame& frame_;
+    ViewVolume view_;
+    const bool culls_ = frame_.setup.skips.has(Skip::light_frustum);
+    SphereChunk spheres_;
+    std::array<const Light*, SphereChunk::kCapacity> lights_;
+    SpotCone cone_;
+    size_t count_ = 0;
+};
 
 }  // namespace
+
+void DrawList::clear() {
+    draws.clear();
+    instances.clear();
+}
+
+CameraBasis camera_basis(const Camera& camera) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    return {right, glm::cross(right, forward), forward};
+}
 
 glm::dmat4 camera_projection(const Camera& camera, int width, int height, DepthConvention convention) {
     const CameraBasis basis = camera_basis(camera);
@@ -137,17 +148,21 @@ void set_camera_constants(const FrameSetup& setup, shared::FrameData& data) {
 }
 
 void collect_lights(const std::vector<Light>& lights, Frame& frame) {
-    const Camera& camera = frame.setup.camera;
-    const Frustum frustum = make_frustum(frame.setup);
+    const bool culls = frame.setup.skips.has(Skip::light_frustum);
     frame.lights.clear();
+    frame.lights.reserve(lights.size());
+    LocalLights local(frame);
+    std::vector<shared::LightData> directional;
     for (const Light& light : lights) {
-        if (light.kind != LightKind::directional || light.color == glm::dvec3(0.0)) continue;
-        frame.lights.push_back(light_data(light, light.position - camera.eye));
+        if (light.kind != LightKind::directional) {
+            if (!culls || !gives_nothing(light)) local.add(light);
+        } else if (!culls || light.color != glm::dvec3(0.0)) {
+            directional.push_back(light_data(light, light.position - frame.setup.camera.eye));
+        }
     }
-    frame.data.directional_count = static_cast<uint32_t>(frame.lights.size());
-    for (const Light& light : lights) {
-        if (light.kind != LightKind::directional) collect_local_light(light, camera, frustum, frame);
-    }
+    local.finish();
+    frame.lights.insert(frame.lights.begin(), directional.begin(), directional.end());
+    frame.data.directional_count = static_cast<uint32_t>(directional.size());
     frame.data.light_count = static_cast<uint32_t>(frame.lights.size());
     frame.work.lights_drawn = frame.lights.size();
     frame.work.lights_culled = lights.size() - frame.lights.size();
@@ -159,7 +174,7 @@ void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const 
     set_camera_constants(setup, frame.data);
     frame.data.ambient = glm::vec3(scene.scene().ambient);
     frame.data.background = glm::vec3(scene.scene().background);
-    cull_instances(scene, setup.camera, make_frustum(setup), frame);
+    cull_instances(scene.batches(), scene.batch_spheres(), frame);
     collect_lights(lights, frame);
 }
 
@@ -171,7 +186,7 @@ FrameBuffers::FrameBuffers()
 
 void FrameBuffers::upload(const Frame& frame) {
     constants_.write(std::as_bytes(std::span(&frame.data, 1)));
-    visible_instances_.write_items<uint32_t>(frame.visible_instances);
+    visible_instances_.write_items<uint32_t>(frame.visible.instances);
     lights_.write_items<shared::LightData>(frame.lights);
 }
 

@@ -2,6 +2,7 @@
 // same for every path.
 #pragma once
 
+#include "renderer/base/skips.h"
 #include "renderer/frame/gpu_scene.h"
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/texel_buffer.h"
@@ -16,13 +17,35 @@ namespace lightsweep {
 /// How depth grows: standard 0 (near) to 1 (far), reversed 1 (near) to 0 (far). Clip depth is zero to one in both.
 enum class DepthConvention : uint8_t { standard, reversed };
 
+/// A camera's axes, unit, at right angles: view space is (right, up, forward).
+struct CameraBasis {
+    glm::dvec3 right, up, forward;
+    glm::dvec3 to_view(const glm::dvec3& v) const {
+        return {glm::dot(v, right), glm::dot(v, up), glm::dot(v, forward)};
+    }
+};
+CameraBasis camera_basis(const Camera& camera);
+
 /// Camera-relative world to clip, zero-to-one depth, in double precision.
 glm::dmat4 camera_projection(const Camera& camera, int width, int height, DepthConvention convention);
 
 struct DrawCall {
     uint32_t batch;  ///< index into GpuScene::batches()
     uint32_t instance_count;
-    uint32_t first_visible;  ///< offset into Frame::visible_instances
+    uint32_t first_visible;  ///< offset into DrawList::instances
+};
+
+struct DrawList {
+    std::vector<DrawCall> draws;
+    std::vector<uint32_t> instances;  ///< of the scene, those of one draw in a row
+    void clear();
+};
+
+/// Which of a frame's instances a pass draws; see occlusion.h.
+enum class Instances : uint8_t {
+    visible,      ///< all that the frame may show
+    seen_before,  ///< of them, those that the frame before may have shown
+    newly_seen,   ///< the rest of them
 };
 
 /// What was drawn, and what culling left out.
@@ -40,25 +63,32 @@ struct FrameSetup {
     int width = 1;
     int height = 1;
     DepthConvention convention = DepthConvention::reversed;
+    SkipSet skips = SkipSet::all();  ///< frustum, light_frustum and sort are decided here
 };
 
 struct Frame {
     FrameSetup setup;
     shared::FrameData data;
-    std::vector<DrawCall> draws;
-    std::vector<uint32_t> visible_instances;
+    DrawList visible;
     std::vector<shared::LightData> lights;  ///< directional ones first; only those that can reach the view
     FrameWork work;
+
+    /// What build_frame works on; kept for its memory.
+    struct Scratch {
+        std::vector<uint64_t> keys, sorted, draw_keys;
+        std::vector<DrawCall> draws;
+    } scratch;
 };
 
 /// The part of the constants that the camera alone decides; `data` keeps the rest.
 void set_camera_constants(const FrameSetup& setup, shared::FrameData& data);
 
-/// Makes `frame.lights` of those that can reach the view of `frame.setup`, camera-relative, and counts them.
+/// Makes `frame.lights` of those that can reach the view of `frame.setup`, camera-relative, and counts them. Without
+/// Skip::light_frustum it keeps all.
 void collect_lights(const std::vector<Light>& lights, Frame& frame);
 
-/// Culls instances and lights against the view frustum and makes the lights camera-relative. Reuses the memory of
-/// `frame`.
+/// Culls instances and lights against the view frustum, orders the instances of each batch and the batches by view
+/// distance, and makes the lights camera-relative: what `setup.skips` says of it. Reuses the memory of `frame`.
 void build_frame(const GpuScene& scene, const std::vector<Light>& lights, const FrameSetup& setup, Frame& frame);
 
 /// The frame's data on the GPU; one of these serves every path of a group, refilled each frame.
@@ -67,6 +97,7 @@ class FrameBuffers {
     FrameBuffers();
     void upload(const Frame& frame);
     void bind(const GpuScene& scene) const;
+    const gl::Buffer& visible_instances() const { return visible_instances_; }
 
   private:
     gl::Buffer constants_, visible_instances_;

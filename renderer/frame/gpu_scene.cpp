@@ -14,6 +14,18 @@ namespace {
 constexpr gl::VertexBinding kVertexBinding{.binding = 0, .stride_bytes = sizeof(Vertex)};
 constexpr gl::VertexBinding kVisibleBinding{.binding = 1, .stride_bytes = sizeof(uint32_t), .divisor = 1};
 
+struct TextureKind {
+    bool SceneNeeds::*needed;
+    int Material::*texture;
+    unsigned unit;
+};
+constexpr TextureKind kTextureKinds[] = {
+    {&SceneNeeds::base_color_textures, &Material::base_color_texture, shared::kBaseColorUnit},
+    {&SceneNeeds::metallic_roughness_textures, &Material::metallic_roughness_texture, shared::kMetallicRoughnessUnit},
+    {&SceneNeeds::normal_textures, &Material::normal_texture, shared::kNormalUnit},
+    {&SceneNeeds::emissive_textures, &Material::emissive_texture, shared::kEmissiveUnit},
+};
+
 shared::InstanceData instance_data(const glm::dmat4& m) {
     const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
     const glm::vec3 high(m[3]);
@@ -42,13 +54,6 @@ glm::uvec2 instance_mesh(const Batch& batch) {
 static_assert(sizeof(Vertex) == 48 && offsetof(Vertex, normal) == 12 && offsetof(Vertex, tangent) == 24 &&
               offsetof(Vertex, uv) == 40);
 
-InstanceBounds bounding_sphere(const Bounds& bounds, const glm::dmat4& m) {
-    if (bounds.empty()) return {glm::dvec3(m[3]), 0.0};
-    const double scale =
-        std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))});
-    return {glm::dvec3(m * glm::dvec4(bounds.center(), 1.0)), 0.5 * glm::length(bounds.size()) * scale};
-}
-
 template <class T>
 gl::TexelBuffer texels(std::span<const T> items, const std::string& label, gl::Format format) {
     return {gl::Buffer(std::as_bytes(items), label), format};
@@ -62,6 +67,33 @@ gl::Texture white_texel() {
 }
 
 }  // namespace
+
+// The box's corners after the transform are center +- x +- y +- z: which of the eight is farthest depends on the angles
+// between the axes, so that a sheared box needs more than its longest axis says.
+//
+// Shaders multiply and add in single precision (unit 2^-24): a product of two rounded numbers and two sums put a vertex
+// off by up to 4 units of the sum of its products' magnitudes, taken here as 16.
+InstanceBounds instance_bounds(const Bounds& mesh, const glm::dmat4& transform) {
+    constexpr double kVertexRounding = 0x1p-20;
+    if (mesh.empty()) return {glm::dvec3(transform[3]), 0.0};
+    const glm::dvec3 half = 0.5 * mesh.size(), most = glm::max(glm::abs(mesh.low), glm::abs(mesh.high));
+    const glm::dvec3 x(transform[0]), y(transform[1]), z(transform[2]);
+    double radius = 0.0;
+    for (const double sign_y : {-1.0, 1.0}) {
+        for (const double sign_z : {-1.0, 1.0}) {
+            radius = std::max(radius, glm::length(half.x * x + sign_y * half.y * y + sign_z * half.z * z));
+        }
+    }
+    const double products = glm::length(x) * most.x + glm::length(y) * most.y + glm::length(z) * most.z;
+    return {glm::dvec3(transform * glm::dvec4(mesh.center(), 1.0)), radius + kVertexRounding * products};
+}
+
+void SphereArrays::add(const InstanceBounds& sphere) {
+    x.push_back(sphere.center.x);
+    y.push_back(sphere.center.y);
+    z.push_back(sphere.center.z);
+    radius.push_back(static_cast<float>(sphere.radius));
+}
 
 GpuScene::GpuScene(const Scene& scene, const SceneNeeds& needs) : scene_(&scene), needs_(needs) {
     make_batches();
@@ -86,7 +118,10 @@ void GpuScene::make_batches() {
                                 .instances = {}});
         }
         batches_[found->second].instances.push_back(i);
-        instance_bounds_.push_back(bounding_sphere(mesh.bounds, instance.transform));
+        instance_bounds_.push_back(lightsweep::instance_bounds(mesh.bounds, instance.transform));
+    }
+    for (const Batch& batch : batches_) {
+        for (const uint32_t i : batch.instances) batch_spheres_.add(instance_bounds_[i]);
     }
 }
 
@@ -133,10 +168,15 @@ void GpuScene::upload_materials() {
             .alpha_cutoff = m.alpha_cutoff,
             .specular_from_luminance = m.specular_from_luminance ? 1.0F : 0.0F,
             .id = static_cast<uint32_t>(i),
+            .double_sided = m.double_sided ? 1U : 0U,
+            .unused_0 = 0,
+            .unused_1 = 0,
+            .unused_2 = 0,
         };
         materials_.emplace_back(std::as_bytes(std::span(&data, 1)), "material " + m.name);
         memory_bytes_ += materials_.back().size_bytes();
     }
+    white_ = white_texel();
     if (!needs_.textures()) return;
     for (const auto& image : scene_->textures) {
         textures_.emplace_back(gl::TextureDesc{.width = image.width,
@@ -147,7 +187,6 @@ void GpuScene::upload_materials() {
         textures_.back().upload_rgba8(image.rgba);
         memory_bytes_ += textures_.back().size_bytes();
     }
-    white_ = white_texel();
 }
 
 void GpuScene::bind(const gl::Buffer& visible_instances) const {
@@ -166,14 +205,17 @@ void GpuScene::bind_material(uint32_t material) const {
     materials_[material].bind_uniform(shared::kMaterialBlock);
     if (!needs_.textures()) return;
     const Material& m = scene_->materials[material];
-    const auto bind = [&](bool needed, int unit, int texture) {
-        if (!needed) return;
-        (texture == kNoTexture ? white_ : textures_[static_cast<size_t>(texture)]).bind(static_cast<unsigned>(unit));
-    };
-    bind(needs_.base_color_textures, shared::kBaseColorUnit, m.base_color_texture);
-    bind(needs_.metallic_roughness_textures, shared::kMetallicRoughnessUnit, m.metallic_roughness_texture);
-    bind(needs_.normal_textures, shared::kNormalUnit, m.normal_texture);
-    bind(needs_.emissive_textures, shared::kEmissiveUnit, m.emissive_texture);
+    for (const TextureKind& kind : kTextureKinds) {
+        if (!(needs_.*kind.needed)) continue;
+        const int texture = m.*kind.texture;
+        (texture == kNoTexture ? white_ : textures_[static_cast<size_t>(texture)]).bind(kind.unit);
+    }
+}
+
+void GpuScene::bind_unneeded_textures() const {
+    for (const TextureKind& kind : kTextureKinds) {
+        if (!(needs_.*kind.needed)) white_.bind(kind.unit);
+    }
 }
 
 }  // namespace lightsweep

@@ -23,10 +23,20 @@ struct Batch {
     std::vector<uint32_t> instances;  ///< in scene order
 };
 
-/// A bounding sphere per instance, in world space.
+/// A bounding sphere in world space: around all of an instance's vertices, wherever single precision puts them.
 struct InstanceBounds {
     glm::dvec3 center;
     double radius;
+};
+InstanceBounds instance_bounds(const Bounds& mesh, const glm::dmat4& transform);
+
+/// Bounding spheres, an array for each coordinate: for vector code.
+struct SphereArrays {
+    std::vector<double> x, y, z;
+    std::vector<float> radius;
+
+    void add(const InstanceBounds& sphere);
+    size_t size() const { return x.size(); }
 };
 
 class GpuScene {
@@ -38,6 +48,8 @@ class GpuScene {
     const SceneNeeds& needs() const { return needs_; }
     const std::vector<Batch>& batches() const { return batches_; }
     const std::vector<InstanceBounds>& instance_bounds() const { return instance_bounds_; }
+    /// The same, those of the first batch's instances first, then those of the next.
+    const SphereArrays& batch_spheres() const { return batch_spheres_; }
     size_t memory_bytes() const { return memory_bytes_; }
 
     /// Binds vertices and the instances, whose visible ones `visible_instances` lists (uint32 each).
@@ -46,6 +58,9 @@ class GpuScene {
     void bind_geometry() const;
     /// Binds the material's constants and textures.
     void bind_material(uint32_t material) const;
+    /// Binds white to the units of the kinds of texture that the scene does not need: for shaders that sample them all
+    /// (SceneNeeds::with_all_code).
+    void bind_unneeded_textures() const;
 
   private:
     void make_batches();
@@ -56,6 +71,7 @@ class GpuScene {
     SceneNeeds needs_;
     std::vector<Batch> batches_;
     std::vector<InstanceBounds> instance_bounds_;
+    SphereArrays batch_spheres_;
     gl::VertexArray vertex_array_;
     gl::TexelBuffer vertices_, indices_, instances_, instance_meshes_;
     std::vector<gl::Buffer> materials_;

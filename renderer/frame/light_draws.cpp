@@ -24,15 +24,16 @@ bool touch(const ViewSphere& sphere, const shared::LightBounds& light) {
 
 }  // namespace
 
-LightDraws make_light_draws(const GpuScene& scene, const Frame& frame, std::span<const shared::LightBounds> lights) {
+LightDraws make_light_draws(const GpuScene& scene, const Frame& frame, const DrawList& drawn,
+                            std::span<const shared::LightBounds> lights) {
     const glm::dmat3 to_view = view_from_world(frame.data);
     const glm::dvec3 eye = frame.setup.camera.eye;
     LightDraws result;
     std::vector<ViewSphere> spheres;
-    for (const DrawCall& visible : frame.draws) {
+    for (const DrawCall& visible : drawn.draws) {
         spheres.clear();
         for (uint32_t i = 0; i < visible.instance_count; ++i) {
-            const uint32_t instance = frame.visible_instances[visible.first_visible + i];
+            const uint32_t instance = drawn.instances[visible.first_visible + i];
             const InstanceBounds& bounds = scene.instance_bounds()[instance];
             const glm::dvec3 center = to_view * (bounds.center - eye);
             // A little more, for rounding.

@@ -20,7 +20,8 @@ struct LightDraws {
     std::vector<uint32_t> instances;
 };
 
-/// The frame's visible instances whose bounding sphere touches a light's. `lights`: light_bounds of the frame.
-LightDraws make_light_draws(const GpuScene& scene, const Frame& frame, std::span<const shared::LightBounds> lights);
+/// Those of `drawn` whose bounding sphere touches a light's. `lights`: light_bounds of the frame.
+LightDraws make_light_draws(const GpuScene& scene, const Frame& frame, const DrawList& drawn,
+                            std::span<const shared::LightBounds> lights);
 
 }  // namespace lightsweep

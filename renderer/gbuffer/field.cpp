@@ -17,7 +17,7 @@ constexpr FieldInfo kFields[] = {
     {"metallic", "float", "0.0", [](const SceneNeeds& n) { return n.metallic; }},
     {"specular", "vec3", "vec3(0.0)", [](const SceneNeeds& n) { return n.specular; }},
     {"emissive", "vec3", "vec3(0.0)", [](const SceneNeeds& n) { return n.emissive; }},
-    {"model", "uint", "0u", [](const SceneNeeds& n) { return n.model_count() > 1; }},
+    {"model", "uint", "ONLY_MODEL", [](const SceneNeeds& n) { return n.model_count() > 1; }},
 };
 
 }  // namespace

@@ -81,6 +81,10 @@ std::vector<uint32_t> Texture::read_uints(int components) const {
     return result;
 }
 
+void Texture::invalidate() const {
+    for (int level = 0; level < levels_; ++level) glInvalidateTexImage(id(), level);
+}
+
 void Texture::bind(unsigned unit) const { glBindTextureUnit(unit, id()); }
 
 size_t Texture::size_bytes() const {

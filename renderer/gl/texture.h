@@ -47,6 +47,8 @@ class Texture {
     std::vector<uint32_t> read_uints(int components) const;
 
     void bind(unsigned unit) const;
+    /// Tells the driver that the content is not needed any more.
+    void invalidate() const;
 
     unsigned id() const { return handle_.id(); }
     int width() const { return width_; }

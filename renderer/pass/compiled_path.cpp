@@ -4,6 +4,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gbuffer/layout_glsl.h"
 #include "renderer/gl/context.h"
+#include "renderer/pass/path_text.h"
 #include "shaders/shared/light_cell.h"
 #include "shaders/shared/slots.h"
 
@@ -15,7 +16,8 @@
 namespace lightsweep {
 namespace {
 
-constexpr double kMemoryShare = 0.5;  // of what is free: an image is read back and compared beside the targets
+constexpr size_t kFirstInstances = 4096;  // bytes; the buffers grow
+constexpr double kMemoryShare = 0.5;      // of what is free: an image is read back and compared beside the targets
 
 int texels(int px, const TargetDesc& target) { return (px + target.px_per_texel - 1) / target.px_per_texel; }
 
@@ -29,12 +31,12 @@ bool changes_depth(const gl::RasterState& state) {
     return state.depth_write || (state.stencil_test && (changes(state.stencil_front) || changes(state.stencil_back)));
 }
 
-CompiledStage compile(const Shader& shader, const gl::RasterState& state, const SceneNeeds& needs,
+CompiledStage compile(const Shader& shader, const gl::RasterState& state, const std::vector<std::string>& defines,
                       const Layout& layout) {
     gl::ProgramDesc desc{.vertex = shader.vertex + ".vert.glsl",
                          .fragment = shader.fragment + ".frag.glsl",
                          .compute = {},
-                         .defines = needs.defines(),
+                         .defines = defines,
                          .generated = {{"generated/gbuffer.glsl", layout_glsl(layout)}}};
     desc.generated.insert(shader.replaced.begin(), shader.replaced.end());
     desc.defines.insert(desc.defines.end(), shader.defines.begin(), shader.defines.end());
@@ -63,6 +65,8 @@ void check_memory(const Path& path, int width, int height) {
 
 CompiledPath::CompiledPath(Path path, const PathSetup& setup, int width, int height)
     : path_(std::move(path)),
+      skips_(setup.skips),
+      text_(path_text(path_, setup, width, height)),
       depth_clear_(setup.layout.convention == DepthConvention::reversed ? 0.0F : 1.0F),
       position_error_(position_error(setup.layout)) {
     check_memory(path_, width, height);
@@ -75,11 +79,17 @@ CompiledPath::CompiledPath(Path path, const PathSetup& setup, int width, int hei
     if (path_.light_grid) {
         light_lists_ = std::make_unique<LightListService>(*path_.light_grid, setup.light_lists, position_error_);
     }
+    if (path_.occluder_depth.index >= 0) {
+        occlusion_ = std::make_unique<OcclusionCuller>();
+        for (auto& buffer : occlusion_instances_) buffer = gl::Buffer(kFirstInstances, "instances of a phase");
+    }
     const Layout& layout = path_.thin_layout ? *path_.thin_layout : setup.layout;
+    auto defines = setup.code().defines();
+    if (!skips_.has(Skip::backface)) defines.emplace_back("KEEPS_BACK_FACES");
     for (const auto& pass : path_.passes) {
         CompiledPass compiled;
         const auto add_stage = [&](const Shader& shader, const gl::RasterState& state) {
-            compiled.stages.push_back(compile(shader, state, setup.needs, layout));
+            compiled.stages.push_back(compile(shader, state, defines, layout));
         };
         if (!pass.shader.vertex.empty()) add_stage(pass.shader, pass.state);
         for (const auto& stage : pass.more_stages) add_stage(stage.shader, stage.state);
@@ -97,24 +107,54 @@ CompiledPath::CompiledPath(Path path, const PathSetup& setup, int width, int hei
         compiled_.push_back(std::move(compiled));
         pass_names_.push_back(pass.name);
     }
+    if (skips_.has(Skip::clears)) find_last_uses();
 }
 
-// Binds the pass's framebuffer and gives each target its starting content.
-void CompiledPath::bind_and_load(size_t index, const Frame& frame) const {
-    const Pass& pass = path_.passes[index];
-    if (pass.writes.empty()) return;
-    const gl::Framebuffer& framebuffer = compiled_[index].framebuffer;
-    framebuffer.bind();
-    // Clears obey the write masks.
-    if (std::any_of(pass.writes.begin(), pass.writes.end(), [](const Write& w) { return w.load == Load::clear; })) {
-        gl::apply({.depth_write = true});
+// The depth counts as read in the end, like the pictures: it says which pixels a surface covers.
+void CompiledPath::find_last_uses() {
+    const auto uses = [](const Pass& pass, TargetId id) {
+        return std::ranges::find(pass.reads, id) != pass.reads.end() ||
+               std::ranges::find(pass.writes, id, &Write::target) != pass.writes.end();
+    };
+    for (size_t t = 0; t < path_.targets.size(); ++t) {
+        const TargetId id{static_cast<int>(t)};
+        if (id == path_.hdr || id == path_.display || id == path_.depth) continue;
+        for (size_t i = path_.passes.size(); i-- > 0;) {
+            if (!uses(path_.passes[i], id)) continue;
+            compiled_[i].last_used.push_back(t);
+            break;
+        }
     }
+}
+
+bool CompiledPath::is_idle(const Pass& pass, const Frame& frame) const {
+    if (!skips_.has(Skip::passes)) return false;
+    switch (pass.idle) {
+        case Idle::never:
+            return false;
+        case Idle::without_local_lights:
+            return frame.data.light_count == frame.data.directional_count;
+        case Idle::without_instances:
+            return occlusion_ && occlusion_->draws(pass.instances).draws.empty();
+    }
+    return false;
+}
+
+// Gives each target of the framebuffer that is bound its starting content.
+void CompiledPath::load(const Pass& pass, const gl::Framebuffer& framebuffer, const Frame& frame) const {
+    const auto clears = [&](const Write& w) {
+        return w.load == Load::clear || (w.load == Load::discard && !skips_.has(Skip::clears));
+    };
+    // Clears obey the write masks.
+    if (std::ranges::any_of(pass.writes, clears)) gl::apply({.depth_write = true});
     int color = 0;
     for (const auto& write : pass.writes) {
         const TargetDesc& target = path_.targets[static_cast<size_t>(write.target.index)];
         const int attachment = is_depth(target) ? -1 : color++;
-        if (write.load == Load::discard) framebuffer.invalidate(attachment);
-        if (write.load != Load::clear) continue;
+        if (!clears(write)) {
+            if (write.load == Load::discard) framebuffer.invalidate(attachment);
+            continue;
+        }
         const auto& format = gl::info(target.format);
         if (format.kind == gl::FormatKind::depth) {
             format.stencil ? framebuffer.clear_depth_stencil(depth_clear_, 0) : framebuffer.clear_depth(depth_clear_);
@@ -127,42 +167,68 @@ void CompiledPath::bind_and_load(size_t index, const Frame& frame) const {
     }
 }
 
-void CompiledPath::bind_inputs(size_t index, const DrawInput& input) const {
-    const auto& reads = path_.passes[index].reads;
-    for (size_t r = 0; r < reads.size(); ++r) {
-        texture(reads[r]).bind(static_cast<unsigned>(shared::kTargetUnit) + static_cast<unsigned>(r));
+void CompiledPath::bind_inputs(const Pass& pass, const DrawInput& input) const {
+    for (size_t r = 0; r < pass.reads.size(); ++r) {
+        texture(pass.reads[r]).bind(static_cast<unsigned>(shared::kTargetUnit) + static_cast<unsigned>(r));
     }
+    if (!skips_.has(Skip::code)) input.scene.bind_unneeded_textures();
     input.buffers.bind(input.scene);
     if (light_lists_) light_lists_->bind();
 }
 
 // Lists that a pass is to build are not built here.
-void CompiledPath::prepare(const Frame& frame) {
-    const bool in_a_pass =
-        std::any_of(path_.passes.begin(), path_.passes.end(), [](const Pass& p) { return p.record == build_lists; });
+void CompiledPath::prepare(const GpuScene& scene, const Frame& frame) {
+    if (occlusion_) occlusion_->begin(scene, frame);
+    const bool in_a_pass = std::ranges::any_of(path_.passes, [](const Pass& p) { return p.record == build_lists; });
     if (light_lists_ && !in_a_pass) light_lists_->build(frame, nullptr);
 }
 
 bool CompiledPath::grow_light_lists() { return light_lists_ && light_lists_->grow_if_cut_short(); }
 
-Recorder CompiledPath::recorder(size_t index, const DrawInput& input) const {
-    Recorder recorder(input, compiled_[index].stages, position_error_);
+// Binds all that the pass needs.
+Recorder CompiledPath::begin_pass(size_t index, const DrawInput& input) {
+    const Pass& pass = path_.passes[index];
+    const CompiledPass& compiled = compiled_[index];
+    if (!pass.writes.empty()) {
+        compiled.framebuffer.bind();
+        load(pass, compiled.framebuffer, input.frame);
+    }
+    bind_inputs(pass, input);
+    Recorder recorder(input, compiled.stages, position_error_);
+    recorder.set_back_face_culling(skips_.has(Skip::backface));
+    if (occlusion_) {
+        const DrawList& drawn = occlusion_->draws(pass.instances);
+        gl::Buffer& instances = occlusion_instances_[static_cast<size_t>(pass.instances)];
+        instances.write_items<uint32_t>(drawn.instances);
+        recorder.set_drawn(drawn, instances);
+        recorder.set_occlusion(occlusion_.get(), &texture(path_.occluder_depth));
+    } else {
+        recorder.set_drawn(input.frame.visible, input.buffers.visible_instances());
+    }
     const bool bounded = path_.light_grid && path_.light_grid->depth_bounds;
     recorder.set_light_lists(light_lists_.get(), bounded ? &texture(path_.tile_depth) : nullptr);
-    if (!compiled_[index].stages.empty()) recorder.use_stage(0);
+    if (!compiled.stages.empty()) recorder.use_stage(0);
     return recorder;
 }
 
-void CompiledPath::execute(const DrawInput& input, PassTimer& timer) const {
+void CompiledPath::end_pass(size_t index) const {
+    for (const size_t target : compiled_[index].last_used) textures_[target].invalidate();
+}
+
+void CompiledPath::execute(const DrawInput& input, PassTimer& timer) {
     timer.begin_frame(path_.passes.size());
+    idle_passes_ = 0;
     for (size_t i = 0; i < path_.passes.size(); ++i) {
         const Pass& pass = path_.passes[i];
         gl::push_group(pass.name);
         timer.begin_pass(i);
-        bind_and_load(i, input.frame);
-        bind_inputs(i, input);
-        Recorder recording = recorder(i, input);
-        pass.record(recording);
+        if (is_idle(pass, input.frame)) {
+            ++idle_passes_;
+        } else {
+            Recorder recorder = begin_pass(i, input);
+            pass.record(recorder);
+        }
+        end_pass(i);
         timer.end_pass(i);
         gl::pop_group();
     }
@@ -196,9 +262,8 @@ uint64_t CompiledPath::count_light_evaluations(const DrawInput& input) {
     uint64_t evaluations = 0;
     for (size_t i = 0; i < path_.passes.size(); ++i) {
         const Pass& pass = path_.passes[i];
-        bind_and_load(i, input.frame);
-        bind_inputs(i, input);
-        Recorder recording = recorder(i, input);
+        if (is_idle(pass, input.frame)) continue;
+        Recorder recording = begin_pass(i, input);
         if (pass.shades != Shades::nothing) recording.count_samples();
         pass.record(recording);
         switch (pass.shades) {
@@ -242,12 +307,16 @@ int CompiledPath::moved_bytes_per_pixel() const {
     };
     int moved = 0;
     for (const auto& pass : path_.passes) {
+        if (pass.idle == Idle::without_instances) continue;  // seldom draws
         for (const TargetId id : pass.reads) moved += bytes(id);
         bool writes_depth = changes_depth(pass.state);
         for (const auto& stage : pass.more_stages) writes_depth = writes_depth || changes_depth(stage.state);
         for (const Write& write : pass.writes) {
             const bool tested_only = is_depth(path_.targets[static_cast<size_t>(write.target.index)]) && !writes_depth;
-            moved += bytes(write.target) * (write.load == Load::keep && !tested_only ? 2 : 1);
+            if (tested_only && std::ranges::find(pass.reads, write.target) != pass.reads.end()) continue;
+            const bool cleared_first = write.load == Load::discard && !skips_.has(Skip::clears);
+            const bool read_first = write.load == Load::keep && !tested_only;
+            moved += bytes(write.target) * (read_first || cleared_first ? 2 : 1);
         }
     }
     return moved;

@@ -8,6 +8,7 @@
 #include "renderer/pass/path.h"
 #include "renderer/pass/recorder.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,9 +20,10 @@ class CompiledPath {
     /// Throws EnvironmentError when the device refuses a target, std::runtime_error when a shader does not compile.
     CompiledPath(Path path, const PathSetup& setup, int width, int height);
 
-    /// Before `execute`, part of building the frame: the light lists that need no picture.
-    void prepare(const Frame& frame);
-    void execute(const DrawInput& input, PassTimer& timer) const;
+    /// Before `execute`, part of building the frame: what of culling and light lists needs no picture. Keeps references
+    /// until the frame is executed.
+    void prepare(const GpuScene& scene, const Frame& frame);
+    void execute(const DrawInput& input, PassTimer& timer);
     /// After `execute`: true when light lists had no room and the frame must be drawn again; there is room now. Waits
     /// for the GPU.
     bool grow_light_lists();
@@ -41,25 +43,40 @@ class CompiledPath {
     /// textures come on top.
     int moved_bytes_per_pixel() const;
     size_t memory_bytes() const;  ///< of all targets and light lists
+    // Of the last frame:
+    uint64_t hidden_instances() const { return occlusion_ ? occlusion_->hidden_instances() : 0; }
+    uint64_t hidden_triangles() const { return occlusion_ ? occlusion_->hidden_triangles() : 0; }
+    int idle_passes() const { return idle_passes_; }  ///< those left out
+    /// See path_text.
+    const std::string& text() const { return text_; }
 
   private:
     struct CompiledPass {
         std::vector<CompiledStage> stages;
         gl::Framebuffer framebuffer;
+        std::vector<size_t> last_used;  ///< targets that nothing reads after this pass
     };
-    void bind_and_load(size_t index, const Frame& frame) const;
-    void bind_inputs(size_t index, const DrawInput& input) const;
+    bool is_idle(const Pass& pass, const Frame& frame) const;
+    void load(const Pass& pass, const gl::Framebuffer& framebuffer, const Frame& frame) const;
+    void bind_inputs(const Pass& pass, const DrawInput& input) const;
+    Recorder begin_pass(size_t index, const DrawInput& input);
+    void end_pass(size_t index) const;
+    void find_last_uses();
     uint64_t covered_pixels() const;
     uint64_t listed_lights(const shared::FrameData& data) const;
-    Recorder recorder(size_t index, const DrawInput& input) const;
 
     Path path_;
+    SkipSet skips_;
+    std::string text_;
     float depth_clear_;
     double position_error_;
     std::vector<gl::Texture> textures_;
     std::vector<CompiledPass> compiled_;
     std::vector<std::string> pass_names_;
     std::unique_ptr<LightListService> light_lists_;
+    std::unique_ptr<OcclusionCuller> occlusion_;
+    std::array<gl::Buffer, 3> occlusion_instances_;  ///< by Instances: what the culler's lists hold
+    int idle_passes_ = 0;
 };
 
 }  // namespace lightsweep

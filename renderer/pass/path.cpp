@@ -1,5 +1,6 @@
 #include "renderer/pass/path.h"
 
+#include "renderer/frame/occlusion.h"
 #include "renderer/pass/recorder.h"
 #include "shaders/shared/slots.h"
 
@@ -11,6 +12,18 @@ namespace {
 // For shaders with sum_lights.
 std::vector<std::string> grid_defines(const Path& path) {
     return path.light_grid ? std::vector<std::string>{"LIGHT_GRID"} : std::vector<std::string>{};
+}
+
+// The range of view distances in each tile of the picture.
+Pass tile_depth_pass(const PathSetup& setup, std::string name, int tile_px, std::vector<std::string> defines,
+                     TargetId depth, TargetId tile_depth) {
+    defines.push_back(fmt::format("TILE_PX {}", tile_px));
+    defines.push_back(fmt::format("DEPTH_STEP {:.9e}", depth_step(setup.layout.depth, setup.layout.convention)));
+    return {.name = std::move(name),
+            .shader = {"paths/fullscreen", "lists/tile_depth", std::move(defines)},
+            .reads = {depth},
+            .writes = {{tile_depth, Load::discard}},
+            .record = draw_full_screen};
 }
 
 }  // namespace
@@ -66,21 +79,54 @@ Pass gbuffer_pass(const PathSetup& setup, const std::vector<TargetId>& targets, 
             .record = draw_visible_meshes};
 }
 
-void list_lights(const PathSetup& setup, const LightGridDesc& grid, Path& path) {
+Pass over_surfaces(const PathSetup& setup, Pass pass, const Path& path) {
+    if (!setup.skips.has(Skip::background)) {
+        pass.shader.defines.emplace_back("MAY_BE_BACKGROUND");
+        return pass;
+    }
+    // The full-screen triangle lies where the background is: a surface is nearer.
+    pass.state.depth_test = true;
+    pass.state.depth_compare =
+        setup.layout.convention == DepthConvention::reversed ? gl::Compare::less : gl::Compare::greater;
+    for (Write& write : pass.writes) {
+        if (write.target == path.hdr && write.load == Load::discard) write.load = Load::clear;
+    }
+    // Attached and read: allowed in practice because the pass does not write it.
+    pass.writes.push_back({path.depth, Load::keep});
+    return pass;
+}
+
+void draw_geometry(const PathSetup& setup, Pass pass, Path& path) {
+    if (!setup.skips.has(Skip::occlusion) || !setup.needs.several_instances()) {
+        path.passes.push_back(std::move(pass));
+        return;
+    }
+    constexpr int kTilePx = OcclusionCuller::kTilePx;
+    path.occluder_depth = path.add({.name = "occluder depth", .format = gl::Format::RG32F, .px_per_texel = kTilePx});
+    Pass rest = pass;
+    rest.name += "_rest";
+    rest.instances = Instances::newly_seen;
+    rest.idle = Idle::without_instances;
+    for (Write& write : rest.writes) write.load = Load::keep;
+    pass.instances = Instances::seen_before;
+    path.passes.push_back(std::move(pass));
+    path.passes.push_back(
+        tile_depth_pass(setup, "occluder_depth", kTilePx, {"WITH_BACKGROUND"}, path.depth, path.occluder_depth));
+    path.passes.push_back({.name = "occlusion", .reads = {path.occluder_depth}, .record = find_hidden_instances});
+    path.passes.push_back(std::move(rest));
+}
+
+void list_lights(const PathSetup& setup, LightGridDesc grid, Path& path) {
+    if (!setup.skips.has(Skip::light_lists)) return;
+    grid.depth_bounds = grid.depth_bounds && setup.skips.has(Skip::light_depth);
     path.light_grid = grid;
     if (grid.depth_bounds) {
         path.tile_depth = path.add({.name = "tile depth", .format = gl::Format::RG32F, .px_per_texel = grid.tile_px});
-        path.passes.push_back(
-            {.name = "tile_depth",
-             .shader = {"paths/fullscreen",
-                        "lists/tile_depth",
-                        {fmt::format("TILE_PX {}", grid.tile_px),
-                         fmt::format("DEPTH_STEP {:.9e}", depth_step(setup.layout.depth, setup.layout.convention))}},
-             .reads = {path.depth},
-             .writes = {{path.tile_depth, Load::discard}},
-             .record = draw_full_screen});
-    }
-    if (grid.depth_bounds || setup.light_lists == ListBuilder::compute) {
+        Pass tile_depth = tile_depth_pass(setup, "tile_depth", grid.tile_px, {}, path.depth, path.tile_depth);
+        tile_depth.idle = Idle::without_local_lights;  // no list asks for it then
+        path.passes.push_back(std::move(tile_depth));
+        path.passes.push_back({.name = "light_lists", .reads = {path.tile_depth}, .record = build_lists});
+    } else if (setup.light_lists == ListBuilder::compute) {
         path.passes.push_back({.name = "light_lists", .record = build_lists});
     }
 }
@@ -97,21 +143,36 @@ Pass forward_pass(const Path& path) {
 Pass resolve_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path) {
     auto defines = gbuffer_read_defines(setup.layout);
     for (auto& define : grid_defines(path)) defines.push_back(std::move(define));
-    return {.name = "shade",
-            .shader = {"paths/fullscreen", "paths/resolve", std::move(defines)},
-            .reads = join(targets, path.depth),
-            .writes = {{path.hdr, Load::discard}},
-            .record = draw_full_screen,
-            .shades = path.light_grid ? Shades::listed_lights_of_covered : Shades::all_lights_of_covered};
+    return over_surfaces(setup,
+                         {.name = "shade",
+                          .shader = {"paths/fullscreen", "paths/resolve", std::move(defines)},
+                          .reads = join(targets, path.depth),
+                          .writes = {{path.hdr, Load::discard}},
+                          .record = draw_full_screen,
+                          .shades = path.light_grid ? Shades::listed_lights_of_covered : Shades::all_lights_of_covered},
+                         path);
 }
 
 Pass base_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path) {
-    return {.name = "base",
-            .shader = {"paths/fullscreen", "paths/resolve_base", gbuffer_read_defines(setup.layout)},
-            .reads = join(targets, path.depth),
-            .writes = {{path.hdr, Load::discard}},
-            .record = draw_full_screen,
-            .shades = Shades::directional_of_covered};
+    return over_surfaces(setup,
+                         {.name = "base",
+                          .shader = {"paths/fullscreen", "paths/resolve_base", gbuffer_read_defines(setup.layout)},
+                          .reads = join(targets, path.depth),
+                          .writes = {{path.hdr, Load::discard}},
+                          .record = draw_full_screen,
+                          .shades = Shades::directional_of_covered},
+                         path);
+}
+
+bool draws_base(const PathSetup& setup) { return setup.needs.base() || !setup.skips.has(Skip::passes); }
+
+Pass adding_lights(const PathSetup& setup, Pass pass, const Path& path) {
+    pass.state.blend = gl::Blend::add;
+    for (Write& write : pass.writes) {
+        if (write.target == path.hdr) write.load = draws_base(setup) ? Load::keep : Load::clear;
+    }
+    if (draws_base(setup)) pass.idle = Idle::without_local_lights;
+    return pass;
 }
 
 std::vector<std::string> gbuffer_read_defines(const Layout& layout) {

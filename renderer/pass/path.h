@@ -65,6 +65,14 @@ struct Stage {
     gl::RasterState state{};
 };
 
+/// When a frame leaves a pass nothing to do, so that Skip::passes leaves the pass out. Of passes that keep all they
+/// write, or whose targets nobody reads then.
+enum class Idle : uint8_t {
+    never,
+    without_local_lights,  ///< no point or spot in the frame
+    without_instances,     ///< nothing to draw of Pass::instances
+};
+
 struct Pass {
     std::string name{};  ///< the key of its time in the report
     Shader shader{};
@@ -73,6 +81,8 @@ struct Pass {
     gl::RasterState state{};
     void (*record)(Recorder&) = nullptr;
     Shades shades = Shades::nothing;
+    Instances instances = Instances::visible;  ///< what the recorder's meshes are
+    Idle idle = Idle::never;
     std::vector<Stage> more_stages{};  ///< stage 0 is `shader` with `state`
 };
 
@@ -85,6 +95,8 @@ struct Path {
     /// The grid whose cells get light lists, for shaders with LIGHT_GRID; see list_lights.
     std::optional<LightGridDesc> light_grid{};
     TargetId tile_depth{};  ///< of a grid with depth bounds: RG32F, a texel a tile
+    /// Of a path that leaves out hidden instances: RG32F, a texel for each tile of OcclusionCuller; see draw_geometry.
+    TargetId occluder_depth{};
     /// What its G-buffer stores, where that is less than the setup's layout.
     std::optional<Layout> thin_layout{};
 
@@ -102,6 +114,10 @@ struct PathSetup {
     Layout layout;  ///< what is left after drop_unneeded; paths without a layout use its depth alone
     gl::Format hdr = gl::Format::RGBA16F;
     ListBuilder light_lists = ListBuilder::cpu;  ///< of paths that list lights
+    SkipSet skips = SkipSet::all();
+
+    /// What shaders are compiled for.
+    SceneNeeds code() const { return skips.has(Skip::code) ? needs : needs.with_all_code(); }
 };
 
 struct PathInfo {
@@ -123,9 +139,20 @@ gl::RasterState opaque_state(DepthConvention convention);
 /// The same, but only the surface that a prepass left: equal, and no write.
 gl::RasterState equal_state();
 
+/// A full-screen pass for the path's surfaces. With Skip::background the depth test keeps it from all other pixels,
+/// which stay as they were loaded: an HDR output is cleared. Otherwise its shader has MAY_BE_BACKGROUND and sees to
+/// them.
+Pass over_surfaces(const PathSetup& setup, Pass pass, const Path& path);
+
+/// Adds a pass that fills `path.depth` by drawing the visible meshes, and maybe other targets with it. With
+/// Skip::occlusion it draws those seen before, is followed by passes that find what they hide, and by itself for the
+/// rest.
+void draw_geometry(const PathSetup& setup, Pass pass, Path& path);
+
 /// Gives the path a light grid and adds the passes that list its lights, after those that fill `path.depth`: the depth
 /// range of each tile when the grid has depth bounds, and the lists, unless the CPU can build them before the frame.
-void list_lights(const PathSetup& setup, const LightGridDesc& grid, Path& path);
+/// Without Skip::light_lists the path gets none; without Skip::light_depth the grid has no depth bounds.
+void list_lights(const PathSetup& setup, LightGridDesc grid, Path& path);
 /// Cells for list_lights: small tiles that end where their surfaces do, or larger ones cut into slices.
 inline constexpr LightGridDesc kDepthBoundedTiles{.tile_px = 16, .depth_bounds = true};
 inline constexpr LightGridDesc kClusters{.tile_px = 32, .slices = true};
@@ -146,6 +173,12 @@ Pass resolve_pass(const PathSetup& setup, const std::vector<TargetId>& targets, 
 /// The full-screen pass that shades what no light's bounds hold: emission, ambient, directional lights, background.
 /// Reads the layout's targets.
 Pass base_pass(const PathSetup& setup, const std::vector<TargetId>& targets, const Path& path);
+
+/// Whether a pass for that is to be there: scenes without (SceneNeeds::base) need none with Skip::passes.
+bool draws_base(const PathSetup& setup);
+/// A pass that adds point and spot lights to what the base pass left in the HDR target; where there is no base pass, to
+/// black.
+Pass adding_lights(const PathSetup& setup, Pass pass, const Path& path);
 
 /// The defines that lib/gbuffer_pixel.glsl wants when a pass reads the layout's targets and then the depth.
 std::vector<std::string> gbuffer_read_defines(const Layout& layout);

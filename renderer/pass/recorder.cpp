@@ -74,16 +74,16 @@ uint64_t Recorder::samples() const {
 }
 
 void Recorder::draw_visible_meshes() {
-    input_.buffers.bind(input_.scene);
-    for (const DrawCall& draw : input_.frame.draws) {
+    input_.scene.bind(*drawn_instances_);
+    for (const DrawCall& draw : drawn_->draws) {
         bind_batch(draw.batch);
         draw_batch(draw);
     }
 }
 
 void Recorder::draw_visible_meshes_marking_materials() {
-    input_.buffers.bind(input_.scene);
-    for (const DrawCall& draw : input_.frame.draws) {
+    input_.scene.bind(*drawn_instances_);
+    for (const DrawCall& draw : drawn_->draws) {
         gl::apply_stencil_reference(material_number(input_.scene.batches()[draw.batch].material));
         bind_batch(draw.batch);
         draw_batch(draw);
@@ -97,7 +97,7 @@ void Recorder::bind_instances(std::span<const uint32_t> instances) {
 
 void Recorder::bind_batch(uint32_t batch_index) {
     const Batch& batch = input_.scene.batches()[batch_index];
-    gl::apply_faces(batch.double_sided ? gl::Cull::none : gl::Cull::back, batch.mirrored);
+    gl::apply_faces(batch.double_sided || !culls_back_faces_ ? gl::Cull::none : gl::Cull::back, batch.mirrored);
     input_.scene.bind_material(batch.material);
 }
 
@@ -118,7 +118,7 @@ void Recorder::draw_full_screen() {
 
 void Recorder::draw_full_screen_per_material() {
     std::set<uint32_t> materials;
-    for (const DrawCall& draw : input_.frame.draws) materials.insert(input_.scene.batches()[draw.batch].material);
+    for (const DrawCall& draw : drawn_->draws) materials.insert(input_.scene.batches()[draw.batch].material);
     input_.scene.bind_geometry();
     bind_full_screen();
     for (const uint32_t material : materials) {
@@ -131,6 +131,11 @@ void Recorder::draw_full_screen_per_material() {
 void Recorder::build_light_lists() {
     CHECK(light_lists_ != nullptr);
     light_lists_->build(input_.frame, tile_depth_);
+}
+
+void Recorder::find_hidden() {
+    CHECK(occlusion_ != nullptr);
+    occlusion_->find_hidden(*occluder_depth_);
 }
 
 void Recorder::set_scissor(const PixelRect& rect) {
@@ -158,5 +163,6 @@ void Recorder::draw_light_volume(uint32_t light) {
 void draw_visible_meshes(Recorder& recorder) { recorder.draw_visible_meshes(); }
 void draw_full_screen(Recorder& recorder) { recorder.draw_full_screen(); }
 void build_lists(Recorder& recorder) { recorder.build_light_lists(); }
+void find_hidden_instances(Recorder& recorder) { recorder.find_hidden(); }
 
 }  // namespace lightsweep

@@ -3,6 +3,7 @@
 
 #include "renderer/frame/frame.h"
 #include "renderer/frame/light_list_service.h"
+#include "renderer/frame/occlusion.h"
 #include "renderer/gl/draw.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/query.h"
@@ -50,6 +51,18 @@ class Recorder {
         : input_(input), stages_(stages), position_error_(position_error) {}
     /// From here on, counts the fragments that pass in draws of the last stage. Never while measuring.
     void count_samples() { counting_ = true; }
+    /// The instances of this pass, and the same on the GPU.
+    void set_drawn(const DrawList& drawn, const gl::Buffer& instances) {
+        drawn_ = &drawn;
+        drawn_instances_ = &instances;
+    }
+    /// Without, the rasteriser lets back faces through, and shaders with KEEPS_BACK_FACES see to them.
+    void set_back_face_culling(bool on) { culls_back_faces_ = on; }
+    /// What find_hidden asks; may be null.
+    void set_occlusion(OcclusionCuller* culler, const gl::Texture* occluder_depth) {
+        occlusion_ = culler;
+        occluder_depth_ = occluder_depth;
+    }
     /// What build_light_lists builds, and from which depth ranges; may be null.
     void set_light_lists(LightListService* lists, const gl::Texture* tile_depth) {
         light_lists_ = lists;
@@ -60,6 +73,8 @@ class Recorder {
 
     const Frame& frame() const { return input_.frame; }
     const GpuScene& scene() const { return input_.scene; }
+    /// What draw_visible_meshes draws.
+    const DrawList& drawn() const { return *drawn_; }
     /// What the frame's point and spot lights reach, in their order.
     std::vector<shared::LightBounds> light_bounds() const;
 
@@ -72,6 +87,7 @@ class Recorder {
     /// the same number: the shader tells them apart. Binds the scene's vertices, indices and meshes as texels.
     void draw_full_screen_per_material();
     void build_light_lists();
+    void find_hidden();
     /// For states with a scissor test.
     void set_scissor(const PixelRect& rect);
 
@@ -94,6 +110,11 @@ class Recorder {
     void draw_batch(const DrawCall& draw);
 
     const DrawInput& input_;
+    const DrawList* drawn_ = nullptr;
+    const gl::Buffer* drawn_instances_ = nullptr;
+    bool culls_back_faces_ = true;
+    OcclusionCuller* occlusion_ = nullptr;
+    const gl::Texture* occluder_depth_ = nullptr;
     LightListService* light_lists_ = nullptr;
     const gl::Texture* tile_depth_ = nullptr;
     std::span<const CompiledStage> stages_;
@@ -110,5 +131,6 @@ class Recorder {
 void draw_visible_meshes(Recorder& recorder);
 void draw_full_screen(Recorder& recorder);
 void build_lists(Recorder& recorder);
+void find_hidden_instances(Recorder& recorder);
 
 }  // namespace lightsweep

@@ -24,18 +24,20 @@ Path build(const PathSetup& s) {
     const auto targets = path.add(s.layout.targets);
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {
-        gbuffer_pass(s, targets, path.depth),
-        base_pass(s, targets, path),
-        {.name = "lights",
-         .shader = {"paths/fullscreen", "paths/resolve_light",
-                    join(gbuffer_read_defines(s.layout), "MAY_BE_BACKGROUND")},
-         .reads = join(targets, path.depth),
-         .writes = {{path.hdr, Load::keep}},
-         .state = {.blend = gl::Blend::add, .scissor_test = true},
-         .record = draw_lights,
-         .shades = Shades::one_light},
-    };
+    draw_geometry(s, gbuffer_pass(s, targets, path.depth), path);
+    if (draws_base(s)) path.passes.push_back(base_pass(s, targets, path));
+    path.passes.push_back(adding_lights(
+        s,
+        over_surfaces(s,
+                      {.name = "lights",
+                       .shader = {"paths/fullscreen", "paths/resolve_light", gbuffer_read_defines(s.layout)},
+                       .reads = join(targets, path.depth),
+                       .writes = {{path.hdr, Load::keep}},
+                       .state = {.scissor_test = true},
+                       .record = draw_lights,
+                       .shades = Shades::one_light},
+                      path),
+        path));
     return path;
 }
 

@@ -10,7 +10,7 @@ Path build(const PathSetup& s) {
     const auto targets = path.add(s.layout.targets);
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {gbuffer_pass(s, targets, path.depth)};
+    draw_geometry(s, gbuffer_pass(s, targets, path.depth), path);
     list_lights(s, kDepthBoundedTiles, path);
     path.passes.push_back(resolve_pass(s, targets, path));
     return path;

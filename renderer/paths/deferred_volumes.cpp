@@ -1,6 +1,6 @@
 // Deferred with light volumes: each point or spot light shades only the pixels whose surface is inside its sphere or
 // cone, found with the stencil (depth-fail counting, right when the camera is inside the volume too). What no volume
-// bounds is shaded full-screen first.
+// bounds is shaded full-screen first. Without Skip::light_depth a volume shades all that it covers of the screen.
 #include "renderer/pass/path.h"
 #include "renderer/pass/recorder.h"
 
@@ -36,15 +36,27 @@ gl::RasterState shade_state() {
     return state;
 }
 
-void draw_lights(Recorder& recorder) {
+// Every pixel behind a volume's near side, whatever it shows: the camera may be inside, so the back faces are drawn.
+gl::RasterState whole_state() { return {.depth_clamp = true, .cull = gl::Cull::front}; }
+
+template <class DrawLight>
+void for_each_light(Recorder& recorder, DrawLight draw_light) {
     const auto& data = recorder.frame().data;
     recorder.bind_light_volumes();
-    for (uint32_t light = data.directional_count; light < data.light_count; ++light) {
+    for (uint32_t light = data.directional_count; light < data.light_count; ++light) draw_light(light);
+}
+
+void draw_marked_lights(Recorder& recorder) {
+    for_each_light(recorder, [&](uint32_t light) {
         recorder.use_stage(kMark);
         recorder.draw_light_volume(light);
         recorder.use_stage(kShade);
         recorder.draw_light_volume(light);
-    }
+    });
+}
+
+void draw_whole_lights(Recorder& recorder) {
+    for_each_light(recorder, [&](uint32_t light) { recorder.draw_light_volume(light); });
 }
 
 // What lib/light_volume.glsl wants to know of how surfaces are stored.
@@ -53,28 +65,44 @@ std::vector<std::string> volume_defines(const Layout& layout) {
             fmt::format("DEPTH_STEP {:.9e}", depth_step(gl::with_stencil(layout.depth), layout.convention))};
 }
 
+std::vector<std::string> shade_defines(const Layout& layout) {
+    auto defines = gbuffer_read_defines(layout);
+    for (auto& define : volume_defines(layout)) defines.push_back(std::move(define));
+    return defines;
+}
+
+// Reads the depth that is attached: allowed in practice because no draw of this pass writes depth, only stencil.
+Pass marked_lights(const PathSetup& s, const std::vector<TargetId>& targets, const Path& path) {
+    return {.name = "lights",
+            .shader = {"paths/light_volume", "paths/light_volume_mark", volume_defines(s.layout)},
+            .reads = join(targets, path.depth),
+            .writes = {{path.hdr, Load::keep}, {path.depth, Load::keep}},
+            .state = mark_state(s.layout.convention),
+            .record = draw_marked_lights,
+            .shades = Shades::one_light,
+            .more_stages = {{{"paths/light_volume", "paths/resolve_light", shade_defines(s.layout)}, shade_state()}}};
+}
+
+Pass whole_lights(const PathSetup& s, const std::vector<TargetId>& targets, const Path& path) {
+    return {.name = "lights",
+            .shader = {"paths/light_volume", "paths/resolve_light", join(shade_defines(s.layout), "MAY_BE_BACKGROUND")},
+            .reads = join(targets, path.depth),
+            .writes = {{path.hdr, Load::keep}},
+            .state = whole_state(),
+            .record = draw_whole_lights,
+            .shades = Shades::one_light};
+}
+
 Path build(const PathSetup& s) {
     Path path;
     const auto targets = path.add(s.layout.targets);
     path.depth = path.add({.name = "depth", .format = gl::with_stencil(s.layout.depth)});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    const auto defines = volume_defines(s.layout);
-    auto shade_defines = gbuffer_read_defines(s.layout);
-    shade_defines.insert(shade_defines.end(), defines.begin(), defines.end());
-    path.passes = {
-        gbuffer_pass(s, targets, path.depth),
-        base_pass(s, targets, path),
-        // Reads the depth that is attached: allowed in practice because no draw of this pass writes depth, only
-        // stencil.
-        {.name = "lights",
-         .shader = {"paths/light_volume", "paths/light_volume_mark", defines},
-         .reads = join(targets, path.depth),
-         .writes = {{path.hdr, Load::keep}, {path.depth, Load::keep}},
-         .state = mark_state(s.layout.convention),
-         .record = draw_lights,
-         .shades = Shades::one_light,
-         .more_stages = {{{"paths/light_volume", "paths/resolve_light", shade_defines}, shade_state()}}},
-    };
+    draw_geometry(s, gbuffer_pass(s, targets, path.depth), path);
+    if (draws_base(s)) path.passes.push_back(base_pass(s, targets, path));
+    const bool marked = s.skips.has(Skip::light_depth);
+    path.passes.push_back(
+        adding_lights(s, marked ? marked_lights(s, targets, path) : whole_lights(s, targets, path), path));
     return path;
 }
 

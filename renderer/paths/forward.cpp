@@ -9,14 +9,14 @@ Path build(const PathSetup& s) {
     Path path;
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {
-        {.name = "forward",
-         .shader = {"paths/mesh", "paths/forward"},
-         .writes = {{path.hdr, Load::clear}, {path.depth, Load::clear}},
-         .state = opaque_state(s.layout.convention),
-         .record = draw_visible_meshes,
-         .shades = Shades::all_lights},
-    };
+    draw_geometry(s,
+                  {.name = "forward",
+                   .shader = {"paths/mesh", "paths/forward"},
+                   .writes = {{path.hdr, Load::clear}, {path.depth, Load::clear}},
+                   .state = opaque_state(s.layout.convention),
+                   .record = draw_visible_meshes,
+                   .shades = Shades::all_lights},
+                  path);
     return path;
 }
 

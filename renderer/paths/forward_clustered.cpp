@@ -9,7 +9,7 @@ Path build(const PathSetup& s) {
     Path path;
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {depth_prepass(s, path.depth)};
+    draw_geometry(s, depth_prepass(s, path.depth), path);
     list_lights(s, kClusters, path);
     path.passes.push_back(forward_pass(path));
     return path;

@@ -11,7 +11,6 @@ namespace {
 
 gl::RasterState light_state() {
     gl::RasterState state = equal_state();
-    state.blend = gl::Blend::add;
     state.scissor_test = true;
     return state;
 }
@@ -23,7 +22,7 @@ void draw_lights(Recorder& recorder) {
     rects.reserve(bounds.size());
     for (const auto& light : bounds) rects.push_back(screen_rect(light, frame.setup));
 
-    const LightDraws lit = make_light_draws(recorder.scene(), frame, bounds);
+    const LightDraws lit = make_light_draws(recorder.scene(), frame, recorder.drawn(), bounds);
     recorder.bind_instances(lit.instances);
     const LightDraw* previous = nullptr;
     for (const LightDraw& item : lit.draws) {
@@ -40,20 +39,26 @@ Path build(const PathSetup& s) {
     Path path;
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {
-        {.name = "base",
-         .shader = {"paths/mesh", "paths/forward_base"},
-         .writes = {{path.hdr, Load::clear}, {path.depth, Load::clear}},
-         .state = opaque_state(s.layout.convention),
-         .record = draw_visible_meshes,
-         .shades = Shades::directional},
-        {.name = "lights",
-         .shader = {"paths/mesh", "paths/forward_light"},
-         .writes = {{path.hdr, Load::keep}, {path.depth, Load::keep}},
-         .state = light_state(),
-         .record = draw_lights,
-         .shades = Shades::one_light},
-    };
+    if (draws_base(s)) {
+        draw_geometry(s,
+                      {.name = "base",
+                       .shader = {"paths/mesh", "paths/forward_base"},
+                       .writes = {{path.hdr, Load::clear}, {path.depth, Load::clear}},
+                       .state = opaque_state(s.layout.convention),
+                       .record = draw_visible_meshes,
+                       .shades = Shades::directional},
+                      path);
+    } else {
+        draw_geometry(s, depth_prepass(s, path.depth), path);
+    }
+    path.passes.push_back(adding_lights(s,
+                                        {.name = "lights",
+                                         .shader = {"paths/mesh", "paths/forward_light"},
+                                         .writes = {{path.hdr, Load::keep}, {path.depth, Load::keep}},
+                                         .state = light_state(),
+                                         .record = draw_lights,
+                                         .shades = Shades::one_light},
+                                        path));
     return path;
 }
 

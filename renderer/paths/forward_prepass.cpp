@@ -8,7 +8,8 @@ Path build(const PathSetup& s) {
     Path path;
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {depth_prepass(s, path.depth), forward_pass(path)};
+    draw_geometry(s, depth_prepass(s, path.depth), path);
+    path.passes.push_back(forward_pass(path));
     return path;
 }
 

@@ -13,7 +13,8 @@ constexpr Field kFieldsForLights[] = {Field::position, Field::normal, Field::rou
 
 // One buffer for each lobe that a model of the scene has.
 std::vector<TargetId> add_light_buffers(const PathSetup& s, Path& path) {
-    const auto has = [&](ShadingModel model) { return s.needs.models[static_cast<size_t>(model)]; };
+    const auto models = s.code().models;
+    const auto has = [&](ShadingModel model) { return models[static_cast<size_t>(model)]; };
     std::vector<TargetId> buffers{path.add({.name = "diffuse light", .format = s.hdr})};
     if (has(ShadingModel::ggx) || has(ShadingModel::blinn_phong)) {
         buffers.push_back(path.add({.name = "specular light, f0", .format = s.hdr}));
@@ -36,21 +37,21 @@ Path build(const PathSetup& s) {
     path.depth = path.add({.name = "depth", .format = s.layout.depth});
     const auto buffers = add_light_buffers(s, path);
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {
-        gbuffer_pass(s, targets, path.depth),
-        {.name = "lights",
-         .shader = {"paths/fullscreen", "paths/light_buffers", light_defines(s, thin)},
-         .reads = join(targets, path.depth),
-         .writes = all(buffers, Load::discard),
-         .record = draw_full_screen,
-         .shades = Shades::all_lights_of_covered},
-        {.name = "materials",
-         .shader = {"paths/mesh", "paths/light_prepass_combine"},
-         .reads = buffers,
-         .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
-         .state = equal_state(),
-         .record = draw_visible_meshes},
-    };
+    draw_geometry(s, gbuffer_pass(s, targets, path.depth), path);
+    path.passes.push_back(over_surfaces(s,
+                                        {.name = "lights",
+                                         .shader = {"paths/fullscreen", "paths/light_buffers", light_defines(s, thin)},
+                                         .reads = join(targets, path.depth),
+                                         .writes = all(buffers, Load::discard),
+                                         .record = draw_full_screen,
+                                         .shades = Shades::all_lights_of_covered},
+                                        path));
+    path.passes.push_back({.name = "materials",
+                           .shader = {"paths/mesh", "paths/light_prepass_combine"},
+                           .reads = buffers,
+                           .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
+                           .state = equal_state(),
+                           .record = draw_visible_meshes});
     return path;
 }
 

@@ -27,20 +27,20 @@ Path build(const PathSetup& s) {
     const TargetId triangles = path.add({.name = "visible triangles", .format = gl::Format::RG32UI});
     path.depth = path.add({.name = "depth", .format = gl::with_stencil(s.layout.depth)});
     path.hdr = path.add({.name = "hdr", .format = s.hdr});
-    path.passes = {
-        {.name = "visibility",
-         .shader = {"paths/mesh", "paths/visible_triangle", {"DEPTH_ONLY", "OUTPUT_INSTANCE"}},
-         .writes = {{triangles, Load::discard}, {path.depth, Load::clear}},
-         .state = mark_state(s.layout.convention),
-         .record = [](Recorder& recorder) { recorder.draw_visible_meshes_marking_materials(); }},
-        {.name = "shade",
-         .shader = {"paths/fullscreen", "paths/visibility_shade"},
-         .reads = {triangles},
-         .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
-         .state = shade_state(),
-         .record = [](Recorder& recorder) { recorder.draw_full_screen_per_material(); },
-         .shades = Shades::all_lights_of_covered},
-    };
+    draw_geometry(s,
+                  {.name = "visibility",
+                   .shader = {"paths/mesh", "paths/visible_triangle", {"DEPTH_ONLY", "OUTPUT_INSTANCE"}},
+                   .writes = {{triangles, Load::discard}, {path.depth, Load::clear}},
+                   .state = mark_state(s.layout.convention),
+                   .record = [](Recorder& recorder) { recorder.draw_visible_meshes_marking_materials(); }},
+                  path);
+    path.passes.push_back({.name = "shade",
+                           .shader = {"paths/fullscreen", "paths/visibility_shade"},
+                           .reads = {triangles},
+                           .writes = {{path.hdr, Load::clear}, {path.depth, Load::keep}},
+                           .state = shade_state(),
+                           .record = [](Recorder& recorder) { recorder.draw_full_screen_per_material(); },
+                           .shades = Shades::all_lights_of_covered});
     return path;
 }
 

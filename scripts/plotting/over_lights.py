@@ -146,12 +146,15 @@ def draw_evaluations(report, scene, cells, paths):
 
 
 def _ratios(report, cells):
-    """{arm: points}: each arm's time over that of the forward arm of the same HDR format, from the report's pairs."""
+    """{arm: points}: each arm's time over that of the forward arm of the same HDR format and skips, from the report's pairs."""
+    def rival(params):
+        return params["hdr"], data.arm_of(params).skip
+
     cell_of = {cell["id"]: cell for cell in cells}
     series = {}
     for pair in report["pairs"]:
         a, b = cell_of.get(pair["a"]), cell_of.get(pair["b"])
-        if a is None or b is None or pair["ratio"] is None or a["params"]["hdr"] != b["params"]["hdr"]:
+        if a is None or b is None or pair["ratio"] is None or rival(a["params"]) != rival(b["params"]):
             continue
         numbers = data.filled(pair["ratio"], pair["low"], pair["high"])
         if a["params"]["path"] == BASELINE:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 SCHEMA = "lightsweep-report-2"
 PARTS = {"run": dict, "environment": dict, "timer": dict, "noise": dict, "cells": list, "pairs": list,
          "crossovers": list, "pareto": list}
+EVERY_SKIP = "all"
 
 
 class ReportError(Exception):
@@ -20,6 +21,7 @@ class Arm(NamedTuple):
     layout: str | None
     hdr: str
     light_lists: str | None = None
+    skip: str = EVERY_SKIP
 
 
 class Panel(NamedTuple):
@@ -57,7 +59,7 @@ def name_of(value):
 
 
 def arm_of(params):
-    return Arm(params["path"], params["layout"], params["hdr"], params.get("light_lists"))
+    return Arm(params["path"], params["layout"], params["hdr"], params.get("light_lists"), params.get("skip", EVERY_SKIP))
 
 
 def panel_of(params):
@@ -74,6 +76,11 @@ def scenes(report):
     for cell in measured(report):
         by_scene.setdefault(cell["params"]["scene"], []).append(cell)
     return by_scene
+
+
+def without_single_skips(cells):
+    """Those with a whole set of skips, or with none: what single skips do has a picture of its own. All where there are no others."""
+    return [cell for cell in cells if not set("+-") & set(arm_of(cell["params"]).skip)] or cells
 
 
 def panels(cells):
@@ -152,6 +159,7 @@ def arm_names(arms):
     several_layouts = len({arm.layout for arm in arms if arm.layout}) > 1
     several_hdr = len({arm.hdr for arm in arms}) > 1
     several_lists = len({arm.light_lists for arm in arms if arm.light_lists}) > 1
+    several_skips = len({arm.skip for arm in arms}) > 1
     names = {}
     for arm in arms:
         words = [arm.path]
@@ -161,5 +169,7 @@ def arm_names(arms):
             words.append(f"{arm.light_lists} lists")
         if several_hdr:
             words.append(arm.hdr)
+        if several_skips:
+            words.append(f"skip {arm.skip}")
         names[arm] = ", ".join(words)
     return names

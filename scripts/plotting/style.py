@@ -9,6 +9,8 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot, ticker  # noqa: E402  (the backend comes first)
 
+from .report import EVERY_SKIP  # noqa: E402
+
 # Okabe and Ito, "Color Universal Design", 2008. Their yellow is too light for a line on white, their black too heavy for a bar.
 _HUES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
 LINE_COLORS = (*_HUES, "#000000")
@@ -64,12 +66,12 @@ def _all_different(paths, table, choices):
 
 
 class ArmStyles:
-    """Colour by path; a marker for each arm; the line by layout, light lists and HDR format where they differ, else by the path's
-    family. The colours go by `paths`, which all the pictures of a report share; the rest tells the `arms` of one picture apart."""
+    """Colour by path; a marker for each arm; the line by layout, light lists, HDR format and skips where they differ, else by the
+    path's family. The colours go by `paths`, which all the pictures of a report share; the rest tells the `arms` of one apart."""
 
     def __init__(self, paths, arms):
         arms = list(dict.fromkeys(arms))
-        variants = list(dict.fromkeys(self._variant(arm) for arm in arms if arm.layout))
+        variants = list(dict.fromkeys(self._variant(arm) for arm in arms if arm.layout or arm.skip != EVERY_SKIP))
         several = len(arms) > len({arm.path for arm in arms})
         self._color = _all_different(paths, PATH_COLORS, LINE_COLORS)
         self._line = {variant: LINES[i % len(LINES)] for i, variant in enumerate(variants)} if several else None
@@ -78,7 +80,7 @@ class ArmStyles:
 
     @staticmethod
     def _variant(arm):
-        return arm.layout, arm.light_lists, arm.hdr
+        return arm.layout, arm.light_lists, arm.hdr, arm.skip
 
     def color(self, arm):
         return self._color[arm.path]

@@ -27,8 +27,12 @@ vec4 sample_material(sampler2D map, vec2 uv) { return textureGrad(map, uv, uv_pe
 vec4 sample_material(sampler2D map, vec2 uv) { return texture(map, uv); }
 #endif
 
-// Discards what the alpha mask cuts away.
-void apply_alpha_mask(vec2 uv) {
+// Discards what nobody sees: what the alpha mask cuts away, and, with KEEPS_BACK_FACES, where the rasteriser culls
+// nothing, the back faces of single-sided materials.
+void discard_unseen(vec2 uv) {
+#ifdef KEEPS_BACK_FACES
+    if (!gl_FrontFacing && material.double_sided == 0u) discard;
+#endif
 #if defined(HAS_ALPHA_MASK) && defined(HAS_BASE_COLOR_TEXTURE)
     if (sample_material(base_color_texture, uv).a < material.alpha_cutoff) discard;
 #endif

@@ -11,6 +11,6 @@ const vec4 in_tangent = vec4(0.0);
 #endif
 
 Surface mesh_surface() {
-    apply_alpha_mask(in_texcoord);
+    discard_unseen(in_texcoord);
     return evaluate_material(in_position, in_normal, in_tangent, in_texcoord, gl_FrontFacing);
 }

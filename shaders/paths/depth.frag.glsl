@@ -1,6 +1,6 @@
-// Depth prepass: nothing but the alpha mask.
+// Depth prepass: nothing but what is discarded.
 #include "lib/material.glsl"
 
 layout(location = 0) in vec2 in_texcoord;
 
-void main() { apply_alpha_mask(in_texcoord); }
+void main() { discard_unseen(in_texcoord); }

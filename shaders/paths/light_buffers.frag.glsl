@@ -1,5 +1,6 @@
 // light_prepass: every light on a surface of which only normal, roughness and model are known. The lobes are summed
 // apart, for the material to weigh them (reflect_lobes). LARGEST: of the buffers' format, where that ends before float.
+// MAY_BE_BACKGROUND: there may be no surface.
 #include "lib/gbuffer_pixel.glsl"
 #include "lib/shade.glsl"
 
@@ -22,7 +23,10 @@ vec4 stored(vec3 sum) {
 void main() {
     LobeSums sums = kNoLight;
     float depth = pixel_depth();
-    if (!is_background(depth)) sums = sum_lights(read_surface(gl_FragCoord.xy, depth));
+#ifdef MAY_BE_BACKGROUND
+    if (!is_background(depth))
+#endif
+        sums = sum_lights(read_surface(gl_FragCoord.xy, depth));
     diffuse = stored(sums.diffuse);
 #if defined(HAS_GGX) || defined(HAS_BLINN_PHONG)
     f0 = stored(sums.f0);

@@ -6,7 +6,7 @@ layout(location = 0) out vec4 value;
 layout(location = 1) out vec4 picture;
 
 void main() {
-    apply_alpha_mask(in_texcoord);
+    discard_unseen(in_texcoord);
     value = vec4(vec3(float(material.id)), 1.0);
     picture = vec4(label_color(material.id), 1.0);
 }

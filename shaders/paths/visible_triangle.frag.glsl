@@ -13,7 +13,7 @@ layout(location = 3) out vec4 emissive;
 #endif
 
 void main() {
-    apply_alpha_mask(in_texcoord);
+    discard_unseen(in_texcoord);
     visible = uvec2(in_instance + 1u, uint(gl_PrimitiveID));
 #ifdef OUTPUT_TEXELS
     base_color_roughness = vec4(1.0);

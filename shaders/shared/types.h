@@ -52,6 +52,10 @@ struct MaterialData {
     float alpha_cutoff;
     float specular_from_luminance;  // 1: specular is multiplied by the luminance of the base colour
     uint id;                        // index in the scene; the material view shows it
+    uint double_sided;
+    uint unused_0;
+    uint unused_1;
+    uint unused_2;
 };
 
 // A point is a spot whose cone never ends: spot_scale 0, spot_offset 1.
@@ -98,7 +102,7 @@ static_assert(sizeof(LightGridData) == 48);
 static_assert(sizeof(LightBounds) == 48);
 static_assert(sizeof(FrameData) == 176);
 static_assert(sizeof(InstanceData) == 96);
-static_assert(sizeof(MaterialData) == 64);
+static_assert(sizeof(MaterialData) == 80);
 static_assert(sizeof(LightData) == 48);
 }  // namespace lightsweep::shared
 #endif

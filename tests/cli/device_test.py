@@ -13,14 +13,18 @@ class WithoutGl(ProgramTest):
         environment = self.without_gl()
         for what, some in (("paths", ("forward", "forward_prepass", "deferred", "deferred_volumes")),
                            ("layouts", ("float32", "float16", "lecture", "luminance", "oct16", "oct32", "rgb10a2", "packed")),
-                           ("scenes", ("cornell", "spheres", "atrium", "overdraw", "materials")),
-                           ("encodings", ("oct",)), ("metrics", ("rmse", "psnr_db")), ("sweeps", ("default", "smoke")),
+                           ("scenes", ("cornell", "spheres", "atrium", "overdraw", "materials", "city", "bunker", "wall")),
+                           ("encodings", ("oct",)), ("metrics", ("rmse", "psnr_db")), ("sweeps", ("default", "smoke", "skips")),
+                           ("skips", ("frustum", "occlusion", "cells")),
                            ("views", ("final", "depth", "lights"))):
             text = self.assert_done("list", what, environment=environment).stdout
             keys = [line.split()[0] for line in text.splitlines()[2:]]
             self.assertLessEqual(set(some), set(keys))
             listed = json.loads(self.assert_done("list", what, "--json", environment=environment).stdout)
             self.assertEqual([entry["key"] for entry in listed], keys)
+
+    def test_the_needs_of_a_scene_need_none(self):
+        self.assertIn("occlusion", self.assert_done("needs", "cornell", environment=self.without_gl()).stdout)
 
     def test_a_dry_run_needs_none(self):
         self.assert_done("run", "smoke", "--dry-run", environment=self.without_gl())

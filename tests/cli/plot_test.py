@@ -86,6 +86,12 @@ def made_up_report(scenes=("cornell",), lights=(0, 1, 8), sizes=((64, 36), (128,
     return report
 
 
+def saving(cell, skip, others, ratio, same_work=False):
+    """An entry of `skips` with the axes of a cell: an open end below, none of its own where the ratio is none."""
+    return {**cell["params"], "group": cell["group"], "skip": skip, "others": others, "with": "a", "without": "b",
+            "same_work": same_work, "ratio": ratio, "low": None, "high": None if ratio is None else 1.1 * ratio, "floor": 0.02}
+
+
 class Plot(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="lightsweep-")
@@ -236,6 +242,38 @@ class Plot(unittest.TestCase):
         words = self.words_in("time_per_pass_cornell")
         self.assertIn("share of the GPU time (%)", words)
         self.assertIn("1e+03 ms", words)
+
+    def test_what_skips_save(self):
+        report = made_up_report(lights=(4,), sizes=((64, 36),))
+        cell = report["cells"][1]
+        self.assertNotIn("skips_cornell.png", self.plot(report | {"skips": []})[0])
+        report["skips"] = [saving(cell, "sort", "all", 0.8), saving(cell, "sort", "none", 1.0, same_work=True),
+                           saving(cell, "frustum", "none", None), saving(cell, "clears", "none+sort", 0.5),
+                           saving(cell, "all", "none", 0.25), saving(report["cells"][0], "sort", "all", 1.2)]
+        self.assertLessEqual(self.names("skips_cornell"), self.plot(report)[0])
+        words = self.words_in("skips_cornell")
+        for expected in ("deferred, 64\u00d736, 4 lights", "forward, 64\u00d736, 4 lights", "all against none: 75 % saved [72, 75]",
+                         "sort", "frustum", "same work", "no time", "off from all", "on from none", "noise floor"):
+            self.assertIn(expected, words)
+
+    def test_a_scene_without_savings_is_left_out_with_a_line(self):
+        report = made_up_report(scenes=("cornell", "atrium"), lights=(4,))
+        report["skips"] = [saving(report["cells"][0], "sort", "all", 0.8)]
+        files, said = self.plot(report)
+        self.assertLessEqual(self.names("skips_cornell"), files)
+        self.assertTrue(any("no skips of atrium" in line for line in said), said)
+
+    def test_single_skips_are_in_their_own_picture_alone(self):
+        cells = [{"params": {"path": "forward", "layout": None, "hdr": HDR, "skip": skip}}
+                 for skip in ("all", "all-sort", "none+sort", "none", "auto")]
+        kept = data.without_single_skips(cells)
+        self.assertEqual([cell["params"]["skip"] for cell in kept], ["all", "none", "auto"])
+        self.assertEqual(data.without_single_skips(cells[1:3]), cells[1:3])
+        self.assertEqual(list(data.arm_names([data.arm_of(cell["params"]) for cell in kept]).values()),
+                         ["forward, skip all", "forward, skip none", "forward, skip auto"])
+        arms = [data.arm_of(cell["params"]) for cell in kept]
+        looks = style.ArmStyles(["forward"], arms)
+        self.assertNotEqual(looks.line(arms[0]), looks.line(arms[1]))
 
     def test_every_path_of_a_sweep_looks_its_own_way(self):
         paths = [*style.PATH_COLORS, "mine", "mine_too"]

@@ -267,7 +267,7 @@ TEST(LightDraws, HoldEveryInstanceThatALightTouchesAndFewOthers) {
     build_frame(scene, lights, {.camera = rig.scene().camera, .width = 157, .height = 83}, frame);
     std::vector<shared::LightBounds> bounds;
     light_bounds(frame, 0.0, bounds);
-    const LightDraws lit = make_light_draws(scene, frame, bounds);
+    const LightDraws lit = make_light_draws(scene, frame, frame.visible, bounds);
 
     std::vector<std::vector<bool>> drawn(frame.lights.size(), std::vector<bool>(rig.scene().instances.size(), false));
     size_t pairs = 0;
@@ -281,7 +281,7 @@ TEST(LightDraws, HoldEveryInstanceThatALightTouchesAndFewOthers) {
     }
     size_t touching = 0;
     for (size_t l = frame.data.directional_count; l < frame.lights.size(); ++l) {
-        for (const uint32_t i : frame.visible_instances) {
+        for (const uint32_t i : frame.visible.instances) {
             const InstanceBounds& sphere = scene.instance_bounds()[i];
             const glm::dvec3 apart = sphere.center - rig.scene().camera.eye - glm::dvec3(frame.lights[l].position);
             // A spot's bounds are smaller than its range; all of these are points.
@@ -292,7 +292,7 @@ TEST(LightDraws, HoldEveryInstanceThatALightTouchesAndFewOthers) {
         }
     }
     EXPECT_LE(pairs, touching + touching / 100) << "rounding alone";
-    EXPECT_LT(pairs, bounds.size() * frame.visible_instances.size() / 4) << "culling leaves out most";
+    EXPECT_LT(pairs, bounds.size() * frame.visible.instances.size() / 4) << "culling leaves out most";
     EXPECT_GT(pairs, 0U);
 }
 

@@ -1,8 +1,8 @@
 // What must hold for paths that shade with light lists: the picture is the one of their plain twin, which evaluates
 // every light, whatever stands where. A light that is listed but does not reach adds exactly zero, and lists rise, so
 // the sums are the same ones in the same order.
-#include "renderer/base/random.h"
 #include "tests/gl/fixture.h"
+#include "tests/gl/unruly_lights.h"
 
 #include <algorithm>
 #include <map>
@@ -42,34 +42,6 @@ std::vector<Case> every_path_with_lists() {
 
 INSTANTIATE_TEST_SUITE_P(Paths, LightGrids, testing::ValuesIn(every_path_with_lists()),
                          [](const auto& c) { return c.param.path + "_" + c.param.light_lists; });
-
-// Lights of all sizes around what the camera sees: dots, volumes that hold the camera, everything. Half of them are
-// spots where the scene's shaders know spots.
-std::vector<Light> unruly_lights(const Scene& scene, int count, uint64_t seed) {
-    Random random(seed);
-    const Bounds bounds = scene.world_bounds();
-    const double extent = glm::length(bounds.size());
-    const bool spots = scene_needs(scene).spot_lights;
-    std::vector<Light> lights;
-    for (int i = 0; i < count; ++i) {
-        Light light;
-        for (int k = 0; k < 3; ++k) {
-            light.position[k] = random.uniform(bounds.low[k] - 0.1 * extent, bounds.high[k] + 0.1 * extent);
-        }
-        if (i % 7 == 0) light.position = scene.camera.eye + 0.01 * extent * glm::dvec3(random.uniform(), 0.1, -0.2);
-        light.radius = extent * std::pow(10.0, random.uniform(-3.0, 0.3));
-        light.color = glm::dvec3(random.uniform(), random.uniform(), random.uniform()) * light.radius * light.radius;
-        if (spots && i % 2 == 1) {
-            light.kind = LightKind::spot;
-            light.outer_deg = random.uniform(1.0, 89.0);
-            light.inner_deg = 0.5 * light.outer_deg;
-            light.direction = glm::normalize(
-                glm::dvec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
-        }
-        lights.push_back(light);
-    }
-    return lights;
-}
 
 TEST_P(LightGrids, EqualTheirTwinAtAnySize) {
     Studio studio("atrium");

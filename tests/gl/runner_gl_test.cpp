@@ -1,5 +1,6 @@
 // The runner on a small group: every sample kept and adding up, failures recorded, a planted cost found.
-#include "bench/measure/group_runner.h"
+#include "tests/gl/runner_groups.h"
+
 #include "bench/measure/known_work.h"
 #include "bench/measure/list_probe.h"
 #include "bench/report/pairs.h"
@@ -9,7 +10,6 @@
 #include "renderer/base/file.h"
 #include "renderer/pass/recorder.h"
 #include "renderer/post/post.h"
-#include "tests/gl/fixture.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -24,30 +24,6 @@ using testing::AllOf;
 using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
-
-PlanGroup group_of(const std::string& scene, int lights, const std::vector<std::pair<std::string, std::string>>& arms) {
-    PlanGroup group;
-    for (const auto& [path, layout] : arms) {
-        CellParams cell;
-        cell.scene = scene;
-        cell.lights = lights;
-        cell.width = 128;
-        cell.height = 72;
-        cell.path = path;
-        cell.layout = layout;
-        if (find_path(path).uses_light_lists) cell.light_lists = "auto";
-        group.cells.push_back(cell);
-    }
-    group.key = group.cells.front().group();
-    return group;
-}
-
-GroupResult run_group(const PlanGroup& group, int rounds) {
-    SceneStore scenes;
-    const std::atomic<bool> never{false};
-    GroupRunner runner(scenes, "finish_clock", never);
-    return runner.run(group, {.target_ci = 1e-9, .min_rounds = rounds, .max_rounds = rounds}, [](double) {});
-}
 
 TEST(GroupRunner, KeepsEverySampleAndTheyAddUp) {
     const auto result =

@@ -70,5 +70,84 @@ TEST(CollectLights, EveryLightThatReachesTheViewIsKept) {
     EXPECT_GT(culled, 500);
 }
 
+// Without the switch every light is kept, the useless ones too, and those that are kept with it are the same.
+TEST(CollectLights, WithoutTheFrustumAllAreKeptTheOthersInTheSameOrder) {
+    const auto key = [](const shared::LightData& light) {
+        return std::vector<float>{light.position.x,  light.position.y, light.position.z,  light.radius,
+                                  light.color.r,     light.spot_scale, light.direction.x, light.direction.y,
+                                  light.direction.z, light.spot_offset};
+    };
+    size_t culled = 0;
+    for (uint64_t seed = 0; seed < 100; ++seed) {
+        Random random(seed);
+        TestView view(random_setup(random));
+        auto lights = random_lights(view, 700, random);  // more than are tested at once
+        for (size_t i = 0; i < lights.size(); ++i) {
+            if (i % 11 == 0) lights[i].color = glm::dvec3(0.0);
+            if (i % 13 == 0) lights[i].radius = 0.0;
+            if (i % 17 == 0) lights[i].kind = LightKind::directional;
+        }
+        const Frame with = frame_of(view.setup, lights);
+        view.setup.skips = SkipSet::all().without(Skip::light_frustum);
+        const Frame without = frame_of(view.setup, lights);
+        EXPECT_EQ(without.lights.size(), lights.size());
+        EXPECT_EQ(without.work.lights_culled, 0U);
+        EXPECT_GE(without.data.directional_count, with.data.directional_count);
+        culled += with.work.lights_culled;
+        auto next = without.lights.begin();
+        for (size_t i = 0; i < with.lights.size(); ++i) {
+            while (next != without.lights.end() && key(*next) != key(with.lights[i])) ++next;
+            ASSERT_NE(next, without.lights.end()) << "seed " << seed << ": light " << i << " is out of order";
+            const auto place = static_cast<size_t>(next - without.lights.begin());
+            EXPECT_EQ(place < without.data.directional_count, i < with.data.directional_count);
+            ++next;
+        }
+    }
+    EXPECT_GT(culled, 10'000U);
+}
+
+// Lights that give nothing, where shaders and bounds divide: local_light of shaders/lib/light.glsl, in single
+// precision.
+TEST(CollectLights, UselessOnesThatAreKeptAreNumbersAndDark) {
+    FrameSetup setup = plain_setup();
+    setup.skips = SkipSet::none();
+    std::vector<Light> lights;
+    for (const auto kind : {LightKind::point, LightKind::spot}) {
+        for (const double radius : {0.0, -1.0, 1e-30, 1.0}) {
+            const bool black = radius == 1.0;
+            for (const double away : {0.0, 3.0}) {
+                lights.push_back({.kind = kind,
+                                  .position = setup.camera.eye + away * glm::dvec3(1.0, 0.0, 0.0),
+                                  .color = glm::dvec3(black ? 0.0 : 5.0),
+                                  .radius = radius});
+            }
+        }
+    }
+    const Frame frame = frame_of(setup, lights);
+    ASSERT_EQ(frame.lights.size(), lights.size());
+    for (const auto& light : frame.lights) {
+        for (const float distance : {0.0F, 1e-10F, 1e-3F, 1.0F, 1e4F, 1e15F}) {
+            const float distance_squared = distance * distance;
+            const float ratio = distance_squared / (light.radius * light.radius);
+            const float window = std::max(1.0F - ratio * ratio, 0.0F);
+            const float irradiance = light.color.r * window * window / std::max(distance_squared, 1e-4F);
+            EXPECT_TRUE(std::isfinite(irradiance));
+            // At no distance at all there is no direction either, and so no reflected light.
+            EXPECT_TRUE(irradiance == 0.0F || distance == 0.0F) << light.radius << " at " << distance;
+        }
+    }
+    std::vector<shared::LightBounds> bounds;
+    light_bounds(frame, 0.0, bounds);
+    ASSERT_EQ(bounds.size(), lights.size());
+    for (const auto& light : bounds) {
+        for (const float value :
+             {light.center.x, light.radius, light.apex.x, light.range, light.axis.x, light.cos_half_angle}) {
+            EXPECT_TRUE(std::isfinite(value));
+        }
+        EXPECT_GE(light.radius, 0.0F);
+        EXPECT_GE(light.range, 0.0F);
+    }
+}
+
 }  // namespace
 }  // namespace lightsweep

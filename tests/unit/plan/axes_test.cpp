@@ -3,10 +3,12 @@
 #include "test_catalog.h"
 
 #include "renderer/base/json_reader.h"
+#include "renderer/base/skips.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <tuple>
 
 namespace lightsweep {
 namespace {
@@ -37,6 +39,26 @@ TEST(Axes, lists_ranges_and_stars_stand_for_their_values) {
     EXPECT_THAT(values("light_lists", "*"), ElementsAre("cpu", "compute"));
     EXPECT_THAT(values("light_lists", "auto,cpu"), ElementsAre("auto", "cpu"));
     EXPECT_THAT(values("hdr", "*"), ElementsAre("rgba16f", "rgba32f", "r11g11b10f"));
+}
+
+TEST(Axes, skips_are_sets_and_stars_turn_them_one_at_a_time) {
+    EXPECT_THAT(values("skip", "all,none,all-frustum,none+light_lists,auto"),
+                ElementsAre("all", "none", "all-frustum", "none+light_lists", "auto"));
+    EXPECT_THAT(values("skip", "*"), ElementsAre("all", "none"));
+    for (const auto& [star, base, sign] : {std::tuple("all-*", "all", "-"), std::tuple("none+*", "none", "+")}) {
+        const auto sets = values("skip", star);
+        ASSERT_EQ(sets.size(), kSkipCount);
+        for (size_t i = 0; i < sets.size(); ++i) {
+            EXPECT_EQ(sets[i], base + std::string(sign) + std::string(skip_infos()[i].key));
+        }
+    }
+    EXPECT_THAT(default_axis_values(find_cell_field("skip"), test_catalog()), ElementsAre("all"));
+    EXPECT_EQ(json_values("skip", R"(["all", "none+*"])").size(), 1 + kSkipCount);
+    for (const std::string bad : {"all+*", "none-*", "all-*-sort", "", "All"}) {
+        EXPECT_THROW(values("skip", bad), InputError) << bad;
+    }
+    EXPECT_THAT(input_error([] { json_values("skip", R"(["all-clear"])"); }),
+                AllOf(StartsWith("sweep.json:/: "), HasSubstr("did you mean 'clears'")));
 }
 
 TEST(Axes, a_users_own_file_is_a_value_when_it_exists) {

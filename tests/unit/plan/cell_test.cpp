@@ -48,6 +48,37 @@ TEST(Cell, name_says_who_builds_the_light_lists_of_a_path_with_some) {
     EXPECT_NE(cell.id(), automatic) << "what was asked, not what it came to";
 }
 
+TEST(Cell, name_says_what_is_skipped_unless_it_is_all) {
+    CellParams cell = kDeferred;
+    EXPECT_EQ(cell.skip, "all");
+    for (const auto& [written, canonical] :
+         std::vector<std::pair<std::string, std::string>>{{"none", "none"},
+                                                          {"auto", "auto"},
+                                                          {"all-sort-frustum", "all-frustum-sort"},
+                                                          {"none+sort+light_lists", "none+light_lists+sort"},
+                                                          {"all-frustum+frustum-sort", "all-sort"}}) {
+        set_cell_field(cell, find_cell_field("skip"), written);
+        EXPECT_EQ(cell.name(), kDeferred.name() + " skip=" + canonical);
+        EXPECT_EQ(parse_cell(cell.name()), cell);
+        EXPECT_EQ(cell.group(), kDeferred.group());
+    }
+    set_cell_field(cell, find_cell_field("skip"), "all-sort+sort");
+    EXPECT_EQ(cell, kDeferred) << "names of before mean what they meant";
+    EXPECT_EQ(parse_cell(kDeferred.name() + " skip=all").id(), kDeferred.id());
+}
+
+TEST(Cell, a_set_that_is_none_is_refused_with_the_nearest_skip) {
+    const auto refused = [](const std::string& value) {
+        return input_error([&] { parse_cell(kDeferred.name() + " skip=" + value); });
+    };
+    EXPECT_THAT(refused("all-frustrum"), AllOf(HasSubstr("skip=all-frustrum: 'frustrum'"), HasSubstr("'frustum'"),
+                                               HasSubstr("allowed: auto, or all or none"), HasSubstr("light_depth")));
+    EXPECT_THAT(refused("non"), HasSubstr("did you mean 'none'"));
+    EXPECT_THAT(refused("frustum"), HasSubstr("'frustum' is not allowed"));
+    EXPECT_THAT(refused("all-"), HasSubstr("'' is not allowed"));
+    EXPECT_THAT(refused("auto-sort"), HasSubstr("auto takes no keys"));
+}
+
 TEST(Cell, parsing_a_name_gives_the_cell_back) {
     for (const std::optional<int> lights :
          {std::optional<int>{}, std::optional<int>{0}, std::optional<int>{kMaxLights}}) {
@@ -77,7 +108,7 @@ TEST(Cell, id_is_the_hash_of_the_name_and_differs_with_every_field) {
     EXPECT_EQ(kDeferred.id().size(), 16U);
     EXPECT_EQ(kDeferred.id(), CellParams(kDeferred).id());
     for (const std::string changed : {"scene=cornell", "lights=65", "size=640x361", "overlap=fixed", "path=forward",
-                                      "layout=oct32", "light_lists=cpu", "hdr=rgba32f"}) {
+                                      "layout=oct32", "light_lists=cpu", "hdr=rgba32f", "skip=none", "skip=auto"}) {
         CellParams cell = kDeferred;
         const size_t equals = changed.find('=');
         set_cell_field(cell, find_cell_field(changed.substr(0, equals)), changed.substr(equals + 1));

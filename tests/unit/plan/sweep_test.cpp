@@ -62,6 +62,21 @@ TEST(Sweep, blocks_are_united_and_duplicates_dropped) {
                                    "scene=cornell lights=4 size=640x360 path=forward hdr=rgba16f"));
 }
 
+TEST(Sweep, skips_are_cells_of_their_own_and_the_usual_ones_are_not_named) {
+    EXPECT_THAT(cell_names(R"([{"scene": "cornell", "lights": 4, "path": ["forward", "deferred"],
+                                "skip": ["*", "none+sort"]}])"),
+                ElementsAre("scene=cornell lights=4 size=640x360 path=forward hdr=rgba16f",
+                            "scene=cornell lights=4 size=640x360 path=forward hdr=rgba16f skip=none",
+                            "scene=cornell lights=4 size=640x360 path=forward hdr=rgba16f skip=none+sort",
+                            "scene=cornell lights=4 size=640x360 path=deferred layout=oct32 hdr=rgba16f",
+                            "scene=cornell lights=4 size=640x360 path=deferred layout=oct32 hdr=rgba16f skip=none",
+                            "scene=cornell lights=4 size=640x360 path=deferred layout=oct32 hdr=rgba16f "
+                            "skip=none+sort"));
+    EXPECT_THAT(cell_names(R"([{"scene": "cornell", "lights": 4, "path": "forward", "skip": "none+*"}])",
+                           {{"skip", {"all-sort-frustum", "all-frustum-sort"}}}),
+                ElementsAre("scene=cornell lights=4 size=640x360 path=forward hdr=rgba16f skip=all-frustum-sort"));
+}
+
 TEST(Sweep, an_override_replaces_its_axis_in_every_block) {
     const auto names = cell_names(R"([{"scene": "cornell", "lights": [1, 2], "path": "forward"},
                                       {"scene": "atrium", "lights": 64, "path": "forward"}])",
@@ -113,7 +128,9 @@ TEST(Sweep, a_bad_file_is_refused_with_the_place) {
 }
 
 TEST(Sweep, shipped_sweeps_load_and_have_cells_of_known_names) {
-    const auto catalog = shipped_catalog(test_catalog().paths);
+    auto paths = test_catalog().paths;
+    paths.push_back({"deferred_clustered", true, true});
+    const auto catalog = shipped_catalog(paths);
     const auto keys = resource_keys("bench/sweeps", ".json");
     ASSERT_THAT(keys, ::testing::IsSupersetOf({"default", "layouts", "paths", "smoke"}));
     for (const auto& key : keys) {

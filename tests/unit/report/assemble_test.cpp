@@ -111,10 +111,14 @@ TEST(Assemble, the_crossover_is_found_where_it_was_planted) {
     const Json crossovers = assemble_report(journal).at("crossovers");
     ASSERT_THAT(crossovers, SizeIs(1));
     const Json& crossover = crossovers[0];
-    EXPECT_EQ(crossover.at("a"),
-              (Json{{"path", "deferred"}, {"layout", "oct16"}, {"light_lists", nullptr}, {"hdr", "rgba16f"}}));
-    EXPECT_EQ(crossover.at("b"),
-              (Json{{"path", "forward"}, {"layout", nullptr}, {"light_lists", nullptr}, {"hdr", "rgba16f"}}));
+    EXPECT_EQ(
+        crossover.at("a"),
+        (Json{
+            {"path", "deferred"}, {"layout", "oct16"}, {"light_lists", nullptr}, {"hdr", "rgba16f"}, {"skip", "all"}}));
+    EXPECT_EQ(
+        crossover.at("b"),
+        (Json{
+            {"path", "forward"}, {"layout", nullptr}, {"light_lists", nullptr}, {"hdr", "rgba16f"}, {"skip", "all"}}));
     // Interpolating between 16 and 64 lights is not the true curve: allow what a straight line there leaves.
     EXPECT_NEAR(crossover.at("lights").get<double>(), 50.0, 5.0);
     EXPECT_LT(crossover.at("low").get<double>(), crossover.at("lights").get<double>());
@@ -320,6 +324,47 @@ TEST_F(CheckedReport, passes_the_schema_complete_failed_and_empty) {
     EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
     journal_.groups.clear();
     EXPECT_EQ(check(report_text(assemble_report(journal_))), 0);
+}
+
+TEST_F(CheckedReport, passes_the_schema_with_skips) {
+    CellResult& all = journal_.groups[0].cells[0];
+    all.work_key = "00ff";
+    CellResult none = all, without = all, open = all;
+    const auto become = [](CellResult& cell, const std::string& skip) {
+        cell.params.skip = skip;
+        cell.id = cell.params.id();
+        cell.name = cell.params.name();
+    };
+    become(none, "none");
+    none.skip_proof = SkipProof{.compared_with = all.id, .max_abs = std::nan(""), .differing_px = 1};
+    become(without, "all-passes-sort");
+    without.shared_with = all.id;
+    without.skip_proof = SkipProof{.compared_with = all.id, .same_bits = true};
+    become(open, "auto");
+    open.auto_skip = SkipChoice{.skip = "all", .why = "nothing costs more", .tried_ratio = {{"sort", 0.9}}};
+    open.work->skipped = {{"frustum", 4}};
+    auto& cells = journal_.groups[0].cells;
+    cells.insert(cells.end(), {none, without, open});
+    journal_.run.planned_cells += 3;
+    const Json report = assemble_report(journal_);
+    ASSERT_THAT(report.at("skips"), SizeIs(2)) << "all and auto, each against none";
+    EXPECT_EQ(check(report_text(report)), 0);
+    const auto is_refused = [&](auto change) {
+        Json changed = report;
+        change(changed);
+        return check(report_text(changed)) != 0;
+    };
+    EXPECT_TRUE(is_refused([](Json& r) { r["skips"][0]["skip"] = "cells"; })) << "it changes no frame";
+    EXPECT_TRUE(is_refused([](Json& r) { r["skips"][0].erase("proof"); }));
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][0]["params"]["skip"] = "most"; }));
+    EXPECT_TRUE(is_refused([](Json& r) { r["cells"][3]["skip_proof"]["differing_px"] = -1; }));
+    EXPECT_FALSE(is_refused([](Json& r) {  // a report of before
+        r.erase("skips");
+        for (auto& cell : r["cells"]) {
+            cell["params"].erase("skip");
+            for (const char* key : {"auto_skip", "work_key", "shared_with", "skip_proof"}) cell.erase(key);
+        }
+    }));
 }
 
 TEST_F(CheckedReport, faults_are_found) {

@@ -71,11 +71,45 @@ TEST(Record, light_lists_and_slow_arms_survive_the_round_trip) {
     EXPECT_EQ(from_json<RunInfo>(to_json(synthetic_run(3)), "x").max_frame_s, 1.5);
 }
 
+TEST(Record, skips_survive_the_round_trip) {
+    GroupResult group = one_group();
+    CellResult& cell = group.cells[1];
+    cell.params.skip = "auto";
+    cell.auto_skip = SkipChoice{.skip = "all-sort", .why = "one instance", .tried_ratio = {{"occlusion", 0.75}}};
+    cell.work_key = "00ff";
+    cell.shared_with = "0123456789abcdef";
+    cell.skip_proof = SkipProof{.compared_with = "fedcba9876543210",
+                                .same_bits = false,
+                                .max_abs = std::numeric_limits<double>::infinity(),
+                                .max_rel = 0.5,
+                                .differing_px = 3};
+    const Json json = to_json(group);
+    EXPECT_EQ(json.at("cells")[0].at("params").at("skip"), "all");
+    EXPECT_TRUE(json.at("cells")[0].at("skip_proof").is_null());
+    EXPECT_TRUE(json.at("cells")[1].at("skip_proof").at("max_abs").is_null()) << "not finite";
+    const auto back = from_json<GroupResult>(Json::parse(line_text(json)), "x").cells[1];
+    EXPECT_EQ(back.params.skip, "auto");
+    EXPECT_EQ(back.auto_skip->skip, "all-sort");
+    EXPECT_EQ(back.auto_skip->tried_ratio.at("occlusion"), 0.75);
+    EXPECT_EQ(back.work_key, "00ff");
+    EXPECT_EQ(back.shared_with, cell.shared_with);
+    EXPECT_EQ(back.skip_proof->compared_with, "fedcba9876543210");
+    EXPECT_EQ(back.skip_proof->max_rel, 0.5);
+    EXPECT_EQ(back.skip_proof->differing_px, 3);
+    EXPECT_FALSE(back.skip_proof->same_bits);
+    EXPECT_EQ(back.skips(), SkipSet::all().without(Skip::sort)) << "as it was drawn";
+    EXPECT_EQ(group.cells[0].skips(), SkipSet::all());
+}
+
 TEST(Record, what_may_be_null_may_be_missing_in_files_of_before) {
     Json json = to_json(one_group());
     for (auto& cell : json["cells"]) {
-        for (const char* key : {"light_lists", "too_slow_at_lights"}) cell.erase(key);
+        for (const char* key :
+             {"light_lists", "too_slow_at_lights", "auto_skip", "work_key", "shared_with", "skip_proof"}) {
+            cell.erase(key);
+        }
         cell["params"].erase("light_lists");
+        cell["params"].erase("skip");
         for (const char* key : {"light_hits", "false_positive_rate", "list_entries"}) cell["work"].erase(key);
     }
     EXPECT_EQ(to_json(from_json<GroupResult>(json, "x")), to_json(one_group()));

@@ -1,0 +1,37 @@
+// That what a cell skips changes nothing: its picture against that of a cell that differs from it in skips alone.
+#pragma once
+
+#include "bench/report/record.h"
+#include "renderer/image/image.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lightsweep {
+
+/// `compared_with` and its picture against another one of the same size.
+SkipProof prove_same_picture(const std::string& compared_with, const Image& first, const Image& other);
+
+/// The pictures of one group. Keeps the first of those kinds that have several cells.
+class SkipProofs {
+  public:
+    explicit SkipProofs(const std::vector<CellParams>& cells);
+
+    /// Whether another cell of the group may be compared with this one: then its picture is worth reading.
+    bool wants(const CellParams& cell) const;
+
+    /// Nothing for the first cell of its kind. Cells of path=auto that came to different paths are of different kinds.
+    std::optional<SkipProof> prove(const CellResult& cell, Image hdr);
+
+  private:
+    struct First {
+        std::string id;
+        Image hdr;
+    };
+    std::map<std::string, int> cells_of_kind_;
+    std::map<std::string, First> firsts_;
+};
+
+}  // namespace lightsweep
