@@ -39,7 +39,7 @@ gl::Framebuffer make_framebuffer(const gl::Texture& target, const std::string& l
 gl::Program make_program(const Variant& variant, const char* fragment) {
     return gl::Program({.vertex = "paths/fullscreen.vert.glsl",
                         .fragment = fragment,
-                        .defines = {"FIELD " + variant.field},
+                        .defines = {"FIELD " + variant.field, "ONLY_MODEL 0u"},
                         .generated = {{"generated/gbuffer.glsl", layout_glsl(variant.layout)}}});
 }
 

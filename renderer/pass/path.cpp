@@ -85,6 +85,7 @@ Pass over_surfaces(const PathSetup& setup, Pass pass, const Path& path) {
         return pass;
     }
     // The full-screen triangle lies where the background is: a surface is nearer.
+    pass.shader.defines.emplace_back("COVERED_ONLY");
     pass.state.depth_test = true;
     pass.state.depth_compare =
         setup.layout.convention == DepthConvention::reversed ? gl::Compare::less : gl::Compare::greater;
