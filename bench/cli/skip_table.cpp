@@ -156,8 +156,7 @@ std::string skip_savings_text(const Json& report) {
     return text +
            "saved: time of a frame, less its time with the skip, as a share of it without; off from all: all skips "
            "against\nall but this one; on from none: this one against none; same work: the skip finds nothing to do; "
-           "picture: the\nlargest difference of linear values from the picture of the first cell that differs in skips "
-           "alone\n";
+           "picture: the\nlargest difference of linear values that the skip makes\n";
 }
 
 }  // namespace lightsweep

@@ -30,7 +30,7 @@ std::map<std::string, int64_t> skipped_work(const Arm& arm, const CellParams& dr
 CellWork cell_work(const Arm& arm, const Subject& subject, const CellParams& drawn) {
     const FrameWork& work = arm.frame().work;
     CellWork result;
-    result.draws = static_cast<int64_t>(work.draws);
+    result.draws = static_cast<int64_t>(work.draws) - arm.path().saved_draws();
     result.triangles = static_cast<int64_t>(work.triangles - arm.path().hidden_triangles());
     result.instances_drawn = static_cast<int64_t>(work.instances_drawn - arm.path().hidden_instances());
     result.instances_culled = static_cast<int64_t>(work.instances_culled);

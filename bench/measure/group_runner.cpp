@@ -156,18 +156,19 @@ std::unique_ptr<Arm> GroupRunner::warm_up(const CellParams& params, const Subjec
         cell.status = CellStatus::timeout;
         cell.reason = fmt::format("a frame takes {:.3g} s, more than the {:g} s allowed", frame_s, rules.max_frame_s);
         cell.too_slow_at_lights = cell.params.lights;
+        return arm;
     }
+    // The first frame hides nothing: pictures and work are to be those of the frames that are timed.
+    const bool occludes = arm->setup().skips.has(Skip::occlusion) && subject.scene.needs().several_instances();
+    for (int frame = 0; occludes && frame < kFramesToSettle; ++frame) take(*arm, result);
+    cell.work = cell_work(*arm, subject, drawn);
     return arm;
 }
 
 // What is left to do before sampling.
-void GroupRunner::settle(Arm& arm, const Subject& subject, const Truth& truth, GroupResult& result, CellResult& cell) {
+void GroupRunner::settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell) {
     const int64_t start = now_ns();
-    const bool occludes = arm.setup().skips.has(Skip::occlusion) && subject.scene.needs().several_instances();
-    const int frames = occludes ? kFramesToSettle : 0;
-    for (int frame = 0; frame < frames || seconds_since(start) < kWarmUpSeconds; ++frame) take(arm, result);
-    cell.work = cell_work(arm, subject, drawn_params(cell));
-    cell.work->light_hits = truth.light_hits;
+    while (seconds_since(start) < kWarmUpSeconds) take(arm, result);
     count_lights(arm, truth.light_hits, *cell.work);
 }
 
@@ -211,7 +212,7 @@ void GroupRunner::prepare(Arms& arms, const Subject& subject, const SamplingRule
             for (size_t j = 0; j < i && !cell.shared_with; ++j) {
                 if (arms[j] && same_work(result.cells[j], cell)) cell.shared_with = result.cells[j].id;
             }
-            if (!cell.shared_with) settle(*arms[i], subject, truth, result, cell);
+            if (!cell.shared_with) settle(*arms[i], truth, result, cell);
         });
         if (!done || cell.status != CellStatus::ok || cell.shared_with) arms[i].reset();
         if (*interrupted_) return;

@@ -60,7 +60,7 @@ class GroupRunner {
     void prepare(Arms& arms, const Subject& subject, const SamplingRules& rules, GroupResult& result);
     std::unique_ptr<Arm> warm_up(const CellParams& params, const Subject& subject, const SamplingRules& rules,
                                  GroupResult& result, CellResult& cell);
-    void settle(Arm& arm, const Subject& subject, const Truth& truth, GroupResult& result, CellResult& cell);
+    void settle(Arm& arm, const Truth& truth, GroupResult& result, CellResult& cell);
     std::string sample_rounds(const SamplingRules& rules, int64_t start_ns, GroupResult& result,
                               std::vector<Slot>& slots, const GroupProgress& progress);
     FrameSample take(Arm& arm, GroupResult& result);

@@ -108,9 +108,10 @@ class Trials {
         return result;
     }
     WarmArm& arm(SkipSet skips) {
-        const auto [found, is_new] = arms_.try_emplace(skips.text());
-        if (is_new) found->second = warm(make(skips));
-        return found->second;
+        const auto found = arms_.find(skips.text());
+        if (found != arms_.end()) return found->second;
+        WarmArm made = warm(make(skips));  // may throw
+        return arms_[skips.text()] = std::move(made);
     }
 
     CellParams cell_;

@@ -60,12 +60,18 @@ bool SkipProofs::wants(const CellParams& cell) const {
 
 std::optional<SkipProof> SkipProofs::prove(const CellResult& cell, Image hdr) {
     const std::string key = kind(cell.params) + (cell.auto_path ? " came to " + cell.auto_path->path : "");
-    const auto [first, is_new] = firsts_.try_emplace(key);
+    const std::string& skip = cell.params.skip;
+    const auto [first, is_new] = first_of_kind_.try_emplace(key);
     if (is_new) {
         first->second = {.id = cell.id, .hdr = std::move(hdr)};
         return {};
     }
-    return prove_same_picture(first->second.id, first->second.hdr, hdr);
+    const auto none = none_of_kind_.find(key);
+    const bool nearer_to_none = none != none_of_kind_.end() && skip.starts_with(SkipSet::none().text());
+    const Picture& other = nearer_to_none ? none->second : first->second;
+    const SkipProof proof = prove_same_picture(other.id, other.hdr, hdr);
+    if (skip == SkipSet::none().text()) none_of_kind_[key] = {.id = cell.id, .hdr = std::move(hdr)};
+    return proof;
 }
 
 }  // namespace lightsweep

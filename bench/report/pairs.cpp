@@ -75,6 +75,11 @@ std::optional<PairedRatio> time_ratio(const CellResult& a, const CellResult& b, 
     return ratio_by_round(a.samples.round, a.samples.wall_ns, b.samples.round, b.samples.wall_ns, level);
 }
 
+bool share_samples(const CellResult& a, const CellResult& b) {
+    const std::string& of_a = a.shared_with.value_or(a.id);
+    return of_a == b.shared_with.value_or(b.id);
+}
+
 std::optional<PairedRatio> noise_ratio(const GroupResult& group) {
     if (!group.noise) return {};
     const auto arm = std::ranges::find(group.cells, group.noise->arm, &CellResult::name);
@@ -106,7 +111,8 @@ std::optional<double> floor_of(const GroupResult& group, std::optional<double> r
 
 std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor) {
     const auto floor = floor_of(group, run_floor);
-    const auto pairs = arms_to_compare(group);
+    auto pairs = arms_to_compare(group);
+    std::erase_if(pairs, [](const auto& pair) { return share_samples(*pair.first, *pair.second); });
     std::vector<ArmPair> result;
     for (const auto& [a, b] : pairs) {
         const auto ratio = time_ratio(*a, *b, kIntervalLevel);

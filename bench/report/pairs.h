@@ -39,6 +39,9 @@ std::optional<PairedRatio> ratio_by_round(const std::vector<int64_t>& round_a, c
 /// The same of two measured cells of one group.
 std::optional<PairedRatio> time_ratio(const CellResult& a, const CellResult& b, double level);
 
+/// Whether the samples of one are those of the other, or both those of a third: their ratio says nothing.
+bool share_samples(const CellResult& a, const CellResult& b);
+
 /// The noise of a group: the twin over its arm. Nothing without a twin, or when its arm was not measured.
 std::optional<PairedRatio> noise_ratio(const GroupResult& group);
 
@@ -61,9 +64,9 @@ struct ArmPair {
 };
 
 /// Every arm against the group's first, and every arm with a layout against the forward arm of the same HDR format and
-/// skips; each pair once, arms that are not ok left out. The interval is of kIntervalLevel; the verdict is given on the
-/// wider one of level_for_each(), so that all verdicts of the group hold together with that level. It is judged by
-/// floor_of(); without one it stays ambiguous.
+/// skips; each pair once, arms that are not ok and pairs that share their samples left out. The interval is of
+/// kIntervalLevel; the verdict is given on the wider one of level_for_each(), so that all verdicts of the group hold
+/// together with that level. It is judged by floor_of(); without one it stays ambiguous.
 std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor);
 
 }  // namespace lightsweep

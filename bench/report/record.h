@@ -204,13 +204,13 @@ struct PathChoice {
 struct SkipChoice {
     std::string skip;  ///< SkipSet::text()
     std::string why;
-    /// By skip, of those that were tried: median frame with it over median frame without, all else equal.
+    /// By skip, of those that were tried: time of paired frames with it over without, all else equal.
     std::map<std::string, double> tried_ratio;
 };
 
-/// That a cell shows the picture of the group's cell that differs from it in skips alone.
+/// That a cell shows the picture of a cell of its group that differs from it in skips alone.
 struct SkipProof {
-    std::string compared_with;  ///< id of that cell, the first of its kind in the group
+    std::string compared_with;  ///< id of that cell: the first of its kind in the group, or that of skip=none
     bool same_bits = false;     ///< of the linear HDR picture, as all of this
     double max_abs = 0.0;       ///< |a - b|, largest channel; not finite where only one of a and b is
     double max_rel = 0.0;       ///< |a - b| / max(|a|, |b|), the same

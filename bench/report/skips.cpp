@@ -55,9 +55,14 @@ SavedWork saved_work(const CellWork& with, const CellWork& without) {
             .moved_bytes_per_px = less(&CellWork::moved_bytes_per_px)};
 }
 
-std::optional<SkipProof> worse_proof(const std::optional<SkipProof>& a, const std::optional<SkipProof>& b) {
-    if (!a || !b) return a ? a : b;
-    return a->differing_px > b->differing_px ? a : b;
+// Nothing where neither was compared with the other, nor were both the same as a third.
+std::optional<SkipProof> proof_between(const CellResult& a, const CellResult& b) {
+    const auto &of_a = a.skip_proof, &of_b = b.skip_proof;
+    if (of_a && of_a->compared_with == b.id) return of_a;
+    if (of_b && of_b->compared_with == a.id) return of_b;
+    const bool both_as_a_third =
+        of_a && of_b && of_a->compared_with == of_b->compared_with && of_a->same_bits && of_b->same_bits;
+    return both_as_a_third ? of_a : std::nullopt;
 }
 
 double median_saved_ns(const CellResult& with, const CellResult& without) {
@@ -69,7 +74,7 @@ double median_saved_ns(const CellResult& with, const CellResult& without) {
 }
 
 void take_times(SkipSaving& saving) {
-    if (!saving.with->measured() || !saving.without->measured()) return;
+    if (!saving.with->measured() || !saving.without->measured() || share_samples(*saving.with, *saving.without)) return;
     saving.time = time_ratio(*saving.with, *saving.without, kIntervalLevel);
     if (saving.time) saving.saved_ns = median_saved_ns(*saving.with, *saving.without);
 }
@@ -93,7 +98,7 @@ std::vector<SkipSaving> find_skip_savings(const GroupResult& group, std::optiona
         saving.same_work = with.work_key && with.work_key == without.work_key;
         saving.floor = floor;
         saving.work = saved_work(*with.work, *without.work);
-        saving.proof = worse_proof(with.skip_proof, without.skip_proof);
+        saving.proof = proof_between(with, without);
         take_times(saving);
         if (saving.time && floor) saving.verdict = verdict(saving.time->ratio, *floor);
     }

@@ -23,15 +23,16 @@ struct SkipSaving {
     /// SkipSet::text() says it. Where `cells` stands does not matter.
     std::string others;
     bool same_work = false;  ///< both ask for the same work: the skip finds nothing to do, and costs nothing
-    /// Time with it over time without it, paired; below 1: it saves. Of kIntervalLevel. Nothing without samples.
+    /// Time with it over time without it, paired; below 1: it saves. Of kIntervalLevel. Nothing without samples of
+    /// their own.
     std::optional<PairedRatio> time;
     std::optional<double> saved_ns;  ///< median over the paired frames of the time without it less the time with it
     /// Of `with` against `without` on that interval, by `floor`. Each for itself: of many verdicts some may be wrong.
     Verdict verdict = Verdict::ambiguous;
     std::optional<double> floor;  ///< the noise floor of the group: a ratio nearer to 1 says nothing
     SavedWork work;
-    /// That the picture stays the same: of the two cells' proofs the worse one. One of the two may be the cell that the
-    /// other is compared with, and has none.
+    /// That the picture stays the same: of one cell against the other, or both the same as a third. Nothing where
+    /// pictures were not compared that way.
     std::optional<SkipProof> proof;
 };
 

@@ -181,6 +181,7 @@ void OcclusionCuller::begin(const GpuScene& scene, const Frame& frame) {
     newly_seen_.clear();
     visible_.clear();
     hidden_instances_ = hidden_triangles_ = 0;
+    saved_draws_ = 0;
 }
 
 void OcclusionCuller::find_hidden(const gl::Texture& tile_depths) {
@@ -212,6 +213,8 @@ void OcclusionCuller::find_hidden(const gl::Texture& tile_depths) {
     filter(
         all, [&](uint32_t place) { return seen_before(place) || hidden_[place] == 0; }, visible_);
     hidden_instances_ = all.instances.size() - visible_.instances.size();
+    saved_draws_ = static_cast<int64_t>(all.draws.size()) -
+                   static_cast<int64_t>(seen_before_.draws.size() + newly_seen_.draws.size());
     const auto triangles = [&](const DrawList& list) {
         uint64_t sum = 0;
         for (const DrawCall& draw : list.draws) {

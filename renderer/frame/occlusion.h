@@ -57,6 +57,8 @@ class OcclusionCuller {
     const DrawList& draws(Instances which) const;
 
     /// Of the frame's visible instances, those that are in none of the lists.
+    /// How many draws more the frame had without hiding; below 0 where batches are drawn in both phases.
+    int64_t saved_draws() const { return saved_draws_; }
     uint64_t hidden_instances() const { return hidden_instances_; }
     uint64_t hidden_triangles() const { return hidden_triangles_; }
 
@@ -68,6 +70,7 @@ class OcclusionCuller {
     DepthPyramid pyramid_;
     std::vector<glm::vec4> spheres_;
     std::vector<uint8_t> hidden_;
+    int64_t saved_draws_ = 0;
     uint64_t hidden_instances_ = 0;
     uint64_t hidden_triangles_ = 0;
 };

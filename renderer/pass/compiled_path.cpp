@@ -197,10 +197,8 @@ Recorder CompiledPath::begin_pass(size_t index, const DrawInput& input) {
     Recorder recorder(input, compiled.stages, position_error_);
     recorder.set_back_face_culling(skips_.has(Skip::backface));
     if (occlusion_) {
-        const DrawList& drawn = occlusion_->draws(pass.instances);
-        gl::Buffer& instances = occlusion_instances_[static_cast<size_t>(pass.instances)];
-        instances.write_items<uint32_t>(drawn.instances);
-        recorder.set_drawn(drawn, instances);
+        recorder.set_drawn_unwritten(occlusion_->draws(pass.instances),
+                                     occlusion_instances_[static_cast<size_t>(pass.instances)]);
         recorder.set_occlusion(occlusion_.get(), &texture(path_.occluder_depth));
     } else {
         recorder.set_drawn(input.frame.visible, input.buffers.visible_instances());

@@ -44,6 +44,7 @@ class CompiledPath {
     int moved_bytes_per_pixel() const;
     size_t memory_bytes() const;  ///< of all targets and light lists
     // Of the last frame:
+    int64_t saved_draws() const { return occlusion_ ? occlusion_->saved_draws() : 0; }
     uint64_t hidden_instances() const { return occlusion_ ? occlusion_->hidden_instances() : 0; }
     uint64_t hidden_triangles() const { return occlusion_ ? occlusion_->hidden_triangles() : 0; }
     int idle_passes() const { return idle_passes_; }  ///< those left out

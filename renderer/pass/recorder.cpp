@@ -73,8 +73,13 @@ uint64_t Recorder::samples() const {
     return sum;
 }
 
-void Recorder::draw_visible_meshes() {
+void Recorder::bind_drawn() {
+    if (unwritten_instances_ != nullptr) unwritten_instances_->write_items<uint32_t>(drawn_->instances);
     input_.scene.bind(*drawn_instances_);
+}
+
+void Recorder::draw_visible_meshes() {
+    bind_drawn();
     for (const DrawCall& draw : drawn_->draws) {
         bind_batch(draw.batch);
         draw_batch(draw);
@@ -82,7 +87,7 @@ void Recorder::draw_visible_meshes() {
 }
 
 void Recorder::draw_visible_meshes_marking_materials() {
-    input_.scene.bind(*drawn_instances_);
+    bind_drawn();
     for (const DrawCall& draw : drawn_->draws) {
         gl::apply_stencil_reference(material_number(input_.scene.batches()[draw.batch].material));
         bind_batch(draw.batch);

@@ -51,10 +51,15 @@ class Recorder {
         : input_(input), stages_(stages), position_error_(position_error) {}
     /// From here on, counts the fragments that pass in draws of the last stage. Never while measuring.
     void count_samples() { counting_ = true; }
-    /// The instances of this pass, and the same on the GPU.
+    /// The instances of this pass, and where they are on the GPU.
     void set_drawn(const DrawList& drawn, const gl::Buffer& instances) {
         drawn_ = &drawn;
         drawn_instances_ = &instances;
+    }
+    /// The same for instances that are still to be written there, when they are drawn.
+    void set_drawn_unwritten(const DrawList& drawn, gl::Buffer& instances) {
+        set_drawn(drawn, instances);
+        unwritten_instances_ = &instances;
     }
     /// Without, the rasteriser lets back faces through, and shaders with KEEPS_BACK_FACES see to them.
     void set_back_face_culling(bool on) { culls_back_faces_ = on; }
@@ -107,11 +112,13 @@ class Recorder {
     template <class Draw>
     void counted(Draw draw);
     void set_light(uint32_t light);
+    void bind_drawn();
     void draw_batch(const DrawCall& draw);
 
     const DrawInput& input_;
     const DrawList* drawn_ = nullptr;
     const gl::Buffer* drawn_instances_ = nullptr;
+    gl::Buffer* unwritten_instances_ = nullptr;
     bool culls_back_faces_ = true;
     OcclusionCuller* occlusion_ = nullptr;
     const gl::Texture* occluder_depth_ = nullptr;

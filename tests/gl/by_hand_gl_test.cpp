@@ -1,4 +1,5 @@
-// What skipping code must reach: a scene that lacks most features runs as fast as shaders written for it by hand.
+// What skipping code must reach: a scene that lacks most features runs as fast as shaders written for it by hand. Of
+// both the passes are the same, without those that find hidden instances.
 #include "bench/stats/ratio.h"
 #include "bench/stats/schedule.h"
 #include "renderer/base/file.h"
@@ -14,7 +15,7 @@
 namespace lightsweep {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180, kRounds = 40;
+constexpr int kWidth = 320, kHeight = 180, kRoundsAtOnce = 40, kMostTimes = 6;
 constexpr double kAllowed = 1.03;
 
 Shader shader(const std::string& vertex, const std::string& fragment) {
@@ -68,18 +69,23 @@ TEST_P(ByHand, TheSkippedShadersAreAsFast) {
     for (Arm& each : arms) each.draw();
     expect_close(arms[1].hdr_image(), arms[0].hdr_image(), 1e-4, 1e-5, "by hand");
     std::array<std::vector<double>, 2> ns;
-    for (int round = 0; round < kRounds; ++round) {
-        for (const size_t i : schedule(arms.size(), static_cast<size_t>(round))) {
-            const int64_t start = now_ns();
-            arms[i].draw();
-            ns[i].push_back(static_cast<double>(now_ns() - start));
+    std::optional<PairedRatio> ratio;
+    // A noisy machine gets more rounds, until the interval says something.
+    for (int time = 0; time < kMostTimes; ++time) {
+        for (int round = 0; round < kRoundsAtOnce; ++round) {
+            for (const size_t i : schedule(arms.size(), static_cast<size_t>(round))) {
+                const int64_t start = now_ns();
+                arms[i].draw();
+                ns[i].push_back(static_cast<double>(now_ns() - start));
+            }
         }
+        ratio = ratio_of_pairs(ns[0], ns[1]);
+        ASSERT_TRUE(ratio && ratio->ratio.low && ratio->ratio.high);
+        if (*ratio->ratio.high <= kAllowed || *ratio->ratio.low > kAllowed) break;
     }
-    const auto ratio = ratio_of_pairs(ns[0], ns[1]);
-    ASSERT_TRUE(ratio && ratio->ratio.low && ratio->ratio.high);
     RecordProperty(
         "ratio", fmt::format("{:.3f} [{:.3f}, {:.3f}]", ratio->ratio.estimate, *ratio->ratio.low, *ratio->ratio.high));
-    EXPECT_LE(*ratio->ratio.low, kAllowed) << "surely slower than by hand: " << ratio->ratio.estimate;
+    EXPECT_LE(ratio->ratio.estimate, kAllowed) << "slower than by hand, surely so if above " << *ratio->ratio.low;
 }
 
 }  // namespace

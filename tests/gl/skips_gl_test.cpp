@@ -23,11 +23,14 @@ constexpr size_t kShare = 4;
 // A sliver's side is decided twice, before clipping in floats and after it on the rasteriser's grid: what culling calls
 // a back face may be a front face to the shader.
 constexpr size_t kSliverPx = 3;
+// Of surfaces at the same depth the first one drawn shows. With 24 bits two surfaces that cross have some such pixels.
+constexpr size_t kTiePx = 2;
 // Where shaders are compiled anew, the compiler may fuse the same operations in another way.
 constexpr double kRelative = 1e-5, kAbsolute = 1e-6;
 
 struct Case {
     std::string scene, path;
+    std::string layout = "float32", hdr = "rgba32f";
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene << " " << c.path; }
 
@@ -35,11 +38,17 @@ CellParams cell_of(const Case& c, SkipSet skips) {
     CellParams cell;
     cell.scene = c.scene;
     cell.path = c.path;
-    if (find_path(c.path).uses_layout) cell.layout = "float32";
+    if (find_path(c.path).uses_layout) cell.layout = c.layout;
     if (find_path(c.path).uses_light_lists) cell.light_lists = "cpu";
-    cell.hdr = "rgba32f";
+    cell.hdr = c.hdr;
     cell.skip = skips.text();
     return cell;
+}
+
+// Of the format, for as many sums as there are lights.
+double rounding_of(const std::string& hdr) {
+    if (hdr == "rgba32f") return kRelative;
+    return kLights * (hdr == "rgba16f" ? 0x1p-10 : 0x1p-5);
 }
 
 class EverySkip : public testing::TestWithParam<Case> {
@@ -62,20 +71,18 @@ class EverySkip : public testing::TestWithParam<Case> {
         return arm.hdr_image();
     }
 
-    void expect_same(const Image& without, Image with, bool same_bits, size_t slivers, const std::string& what) {
-        for (size_t i = 0; i < with.rgb.size() && slivers > 0; i += 3) {
+    void expect_same(const Image& without, Image with, bool same_bits, size_t odd_pixels, const std::string& what) {
+        const bool strict = same_bits && gl::Context::current()->info().software;
+        const double relative = strict ? 0.0 : rounding_of(GetParam().hdr), absolute = strict ? 0.0 : kAbsolute;
+        for (size_t i = 0; i < with.rgb.size() && odd_pixels > 0; i += 3) {
             const auto differ = [&](size_t k) {
-                return std::abs(with.rgb[k] - without.rgb[k]) > kRelative * std::abs(without.rgb[k]) + kAbsolute;
+                return std::abs(with.rgb[k] - without.rgb[k]) > relative * std::abs(without.rgb[k]) + absolute;
             };
             if (!differ(i) && !differ(i + 1) && !differ(i + 2)) continue;
             std::copy_n(&without.rgb[i], 3, &with.rgb[i]);
-            --slivers;
+            --odd_pixels;
         }
-        if (same_bits && gl::Context::current()->info().software) {
-            expect_close(without, with, 0.0, 0.0, what);
-        } else {
-            expect_close(without, with, kRelative, kAbsolute, what);
-        }
+        expect_close(without, with, relative, absolute, what);
     }
 
     SceneStore scenes;
@@ -85,10 +92,17 @@ class EverySkip : public testing::TestWithParam<Case> {
     DrawShapes shapes;
 };
 
+// Every path and every scene with each format of the HDR target, with depth in 32 bits, reversed, and in 24, standard.
 std::vector<Case> every_scene_and_path() {
+    const auto scenes = resource_keys("scenes", ".json"), paths = path_keys();
     std::vector<Case> cases;
-    for (const auto& scene : resource_keys("scenes", ".json")) {
-        for (const auto& path : path_keys()) cases.push_back({scene, path});
+    for (size_t s = 0; s < scenes.size(); ++s) {
+        for (size_t p = 0; p < paths.size(); ++p) {
+            cases.push_back({.scene = scenes[s],
+                             .path = paths[p],
+                             .layout = (s + p) % 3 == 1 ? "lecture" : "float32",
+                             .hdr = kHdrFormats[(s + p / 3) % kHdrFormats.size()]});
+        }
     }
     return cases;
 }
@@ -100,6 +114,12 @@ size_t paths_concerned(Skip skip) {
     if (skip == Skip::light_lists) return 4;
     if (skip == Skip::light_depth) return 3;
     return skip == Skip::background ? 6 : path_keys().size();
+}
+
+size_t odd_pixels(Skip skip) {
+    const bool reorders = skip == Skip::sort || skip == Skip::occlusion || skip == Skip::frustum;
+    if (reorders) return EverySkip::GetParam().layout == "float32" ? 0 : kTiePx;
+    return skip == Skip::backface ? kSliverPx : 0;
 }
 
 // Not by the passes: the frame holds less.
@@ -123,8 +143,7 @@ TEST_P(EverySkip, LeavesThePictureAsItIs) {
         const size_t cameras = share * kCamerasPerSkip / (scene_count * paths_concerned(info.skip)) + 2;
         for (size_t i = 0; i < cameras; ++i) {
             subject.camera = i == 0 ? scene.camera : unruly_camera(scene, random);
-            expect_same(picture(*without), picture(*everything), info.same_bits,
-                        info.skip == Skip::backface ? kSliverPx : 0,
+            expect_same(picture(*without), picture(*everything), info.same_bits, odd_pixels(info.skip),
                         std::string(info.key) + ", camera " + std::to_string(i));
         }
     }
@@ -135,7 +154,7 @@ TEST_P(EverySkip, AllOfThemLeaveItToo) {
     Random random(77);
     for (int i = 0; i < 4; ++i) {
         subject.camera = i == 0 ? scene.camera : unruly_camera(scene, random);
-        expect_same(picture(*none), picture(*all), false, kSliverPx, "camera " + std::to_string(i));
+        expect_same(picture(*none), picture(*all), false, kSliverPx + kTiePx, "camera " + std::to_string(i));
     }
 }
 

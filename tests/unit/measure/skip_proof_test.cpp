@@ -88,6 +88,19 @@ TEST(SkipProofs, compare_with_the_first_cell_of_the_kind) {
     EXPECT_EQ(other->compared_with, cells[0].id);
 }
 
+// What a skip does alone is seen against no skip at all, not through what all the others round.
+TEST(SkipProofs, sets_near_to_none_are_compared_with_none) {
+    const std::vector<CellResult> cells{cell("forward", "all"), cell("forward", "none"), cell("forward", "none+sort"),
+                                        cell("forward", "all-sort")};
+    SkipProofs proofs(params_of(cells));
+    EXPECT_FALSE(proofs.prove(cells[0], picture({1.0F, 2.0F, 3.0F})));
+    EXPECT_EQ(proofs.prove(cells[1], picture({1.0F, 2.0F, 3.5F}))->compared_with, cells[0].id);
+    const auto near = proofs.prove(cells[2], picture({1.0F, 2.0F, 3.5F}));
+    EXPECT_EQ(near->compared_with, cells[1].id);
+    EXPECT_TRUE(near->same_bits);
+    EXPECT_EQ(proofs.prove(cells[3], picture({1.0F, 2.0F, 3.0F}))->compared_with, cells[0].id);
+}
+
 TEST(SkipProofs, paths_that_auto_came_to_are_told_apart) {
     std::vector<CellResult> cells{cell("auto", "all"), cell("auto", "none"), cell("auto", "auto")};
     cells[0].auto_path = cells[2].auto_path =
