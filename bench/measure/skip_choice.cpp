@@ -19,8 +19,9 @@
 namespace lightsweep {
 namespace {
 
-// With more lights than this, shading all of them at every pixel takes long to try, and loses.
+// Lists that leave out most of many lights win, and shading all of them at every pixel takes long to try.
 constexpr size_t kFewLights = 32;
+constexpr double kSmallShare = 0.25;
 constexpr int64_t kLongFrameNs = 500'000'000;
 constexpr int64_t kEnoughNs = 10'000'000'000;  // for all trials of a cell
 
@@ -39,7 +40,7 @@ const char* no_local_lights(const SkipFacts& facts) {
 const char* no_listed_lights(const SkipFacts& facts) { return facts.lists_lights ? no_local_lights(facts) : nullptr; }
 const char* lists_many(const SkipFacts& facts) {
     if (!facts.lists_lights) return "the path has none";
-    return facts.local_lights > kFewLights ? "many lights" : nullptr;
+    return facts.local_lights > kFewLights && facts.listed_share < kSmallShare ? "lists leave out most" : nullptr;
 }
 
 // The skips that are not here cost a test on the CPU, or nothing.
@@ -61,6 +62,15 @@ std::string joined(const char* what, const std::vector<std::string>& parts) {
     return parts.empty() ? "" : fmt::format("{}: {}", what, fmt::join(parts, ", "));
 }
 
+double listed_share(const Arm& arm) {
+    const LightListService* service = arm.path().light_lists();
+    const auto& data = arm.frame().data;
+    if (service == nullptr || data.light_count == data.directional_count) return 0.0;
+    const LightLists lists = service->read();
+    return static_cast<double>(lists.indices.size()) /
+           (static_cast<double>(lists.cells.size()) * (data.light_count - data.directional_count));
+}
+
 // The arms that trials draw with, made when they are first asked for.
 class Trials {
   public:
@@ -68,6 +78,7 @@ class Trials {
         : cell_(cell), subject_(&subject), buffers_(&buffers), shapes_(&shapes) {}
 
     int64_t frame_ns(SkipSet skips) { return arm(skips).frame_ns; }
+    double share_listed(SkipSet skips) { return listed_share(*arm(skips).arm); }
 
     std::optional<SkipTrial> operator()(SkipSet with, SkipSet without) {
         if (now_ns() - start_ns_ > kEnoughNs) return {};
@@ -159,11 +170,12 @@ SkipChoice choose_skips(const SkipFacts& facts, const TrySkip& try_skip) {
 
 SkipChoice choose_skips(const CellParams& cell, const Subject& subject, FrameBuffers& buffers,
                         const DrawShapes& shapes) {
+    Trials trials(cell, subject, buffers, shapes);
     const SkipFacts facts{.instances = subject.scene.needs().instances,
                           .local_lights = static_cast<size_t>(std::ranges::count_if(
                               subject.lights, [](const Light& l) { return l.kind != LightKind::directional; })),
-                          .lists_lights = find_path(cell.path).uses_light_lists};
-    Trials trials(cell, subject, buffers, shapes);
+                          .lists_lights = find_path(cell.path).uses_light_lists,
+                          .listed_share = trials.share_listed(SkipSet::all())};
     const int64_t frame_ns = trials.frame_ns(SkipSet::all());
     if (frame_ns <= kLongFrameNs) return choose_skips(facts, std::ref(trials));
     SkipChoice choice = choose_skips(facts, [](SkipSet, SkipSet) { return std::optional<SkipTrial>(); });

@@ -17,6 +17,7 @@ struct SkipFacts {
     uint64_t instances = 0;     ///< of the scene
     size_t local_lights = 0;    ///< points and spots of the cell
     bool lists_lights = false;  ///< the cell's path does
+    double listed_share = 0.0;  ///< of the local lights, that the list of a cell of the grid holds on average
 };
 
 /// A frame with a skip against one without, all else equal.
