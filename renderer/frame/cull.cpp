@@ -36,7 +36,7 @@ void find_visible(const ViewVolume& view, const Batch& batch, const SphereArrays
         view.test(chunk, count);
         size_t end = 0;  // no branch, see draw_key
         for (size_t i = 0; i < count; ++i) {
-            kept[end] = draw_key(chunk.nearest[i], batch.instances[begin + i]);
+            kept[end] = draw_key(chunk.distance[i], batch.instances[begin + i]);
             end += chunk.inside[i] | keep_all;
         }
         keys.insert(keys.end(), kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(end));
@@ -82,7 +82,7 @@ void ViewVolume::test(SphereChunk& spheres, size_t count) const {
         const bool outside = (distance * view.sin_x_ + reach < across * view.cos_x_) |
                              (distance * view.sin_y_ + reach < above * view.cos_y_) | (distance + reach < view.near_) |
                              (distance - reach > view.far_);
-        spheres.nearest[i] = distance - radius;
+        spheres.distance[i] = distance;
         spheres.inside[i] = outside ? 0 : 1;
     }
 }
@@ -123,8 +123,8 @@ void cull_instances(std::span<const Batch> batches, const SphereArrays& spheres,
 
 // Read as integers, the bits of floats rise with them, and those of negative floats are negative: integers have a
 // maximum without a branch, which would be guessed wrong half of the time.
-uint64_t draw_key(float nearest, uint32_t index) {
-    const int32_t bits = std::max(std::bit_cast<int32_t>(nearest), 0);
+uint64_t draw_key(float distance, uint32_t index) {
+    const int32_t bits = std::max(std::bit_cast<int32_t>(distance), 0);
     return uint64_t{static_cast<uint32_t>(bits)} << 32 | index;
 }
 

@@ -22,7 +22,7 @@ struct SphereChunk {
     static constexpr size_t kCapacity = 512;
     std::array<float, kCapacity> x, y, z, radius;
     // What ViewVolume::test says of them.
-    std::array<float, kCapacity> nearest;    ///< view distance of the nearest point
+    std::array<float, kCapacity> distance;   ///< of the centre, along the view
     std::array<uint32_t, kCapacity> inside;  ///< 1 where the view may show a part, else 0
 };
 
@@ -45,9 +45,9 @@ class ViewVolume {
 /// instances in their order (GpuScene::batch_spheres).
 void cull_instances(std::span<const Batch> batches, const SphereArrays& spheres, Frame& frame);
 
-/// A number to sort by: a sphere's `nearest` in front of an index that orders those equally near. Spheres that reach
-/// behind the eye are all nearest.
-uint64_t draw_key(float nearest, uint32_t index);
+/// A number to sort by: the view distance of a sphere's centre in front of an index that orders those equally far. What
+/// is centred behind the eye is nearest. (The nearest points would put all large things first, in no order.)
+uint64_t draw_key(float distance, uint32_t index);
 inline uint32_t index_of_key(uint64_t key) { return static_cast<uint32_t>(key); }
 
 /// Sorts keys whose indices rise. `scratch` is memory to work in.
