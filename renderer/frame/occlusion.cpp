@@ -172,7 +172,16 @@ void find_hidden_spheres(std::span<const glm::vec4> spheres, const FrameSetup& s
 
 void OcclusionCuller::begin(const GpuScene& scene, const Frame& frame) {
     const size_t count = scene.instance_bounds().size();
-    if (scene_ != &scene || seen_.size() != count) seen_.assign(count, 1);  // the first phase draws everything
+    if (scene_ != &scene || seen_.size() != count) {
+        seen_.assign(count, 1);  // the first phase draws everything
+        rests_left_ = 0;
+        next_rests_ = 1;
+    }
+    rests_ = rests_left_ > 0;
+    if (rests_) {
+        --rests_left_;
+        std::ranges::fill(seen_, uint8_t{1});
+    }
     scene_ = &scene;
     frame_ = &frame;
     const auto& instances = frame.visible.instances;
@@ -180,6 +189,7 @@ void OcclusionCuller::begin(const GpuScene& scene, const Frame& frame) {
         frame.visible, [&](uint32_t place) { return seen_[instances[place]] != 0; }, seen_before_);
     newly_seen_.clear();
     visible_.clear();
+    if (rests_) visible_ = frame.visible;
     hidden_instances_ = hidden_triangles_ = 0;
     saved_draws_ = 0;
 }
@@ -223,6 +233,13 @@ void OcclusionCuller::find_hidden(const gl::Texture& tile_depths) {
         return sum;
     };
     hidden_triangles_ = triangles(all) - triangles(visible_);
+    if (std::ranges::find(hidden_, uint8_t{1}) != hidden_.end()) {
+        rests_left_ = 0;
+        next_rests_ = 1;
+    } else if (!rests_ && !hidden_.empty()) {
+        rests_left_ = next_rests_;
+        next_rests_ = std::min(2 * next_rests_, kMostRests);
+    }
 
     std::ranges::fill(seen_, uint8_t{0});
     for (size_t place = 0; place < hidden_.size(); ++place) seen_[all.instances[place]] = hidden_[place] == 0 ? 1 : 0;

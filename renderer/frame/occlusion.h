@@ -2,6 +2,9 @@
 // SIGGRAPH Advances in Real-Time Rendering): what could be seen in the last frame is drawn first; the depth that it
 // leaves says which of the others cannot be seen now; the rest is drawn after it. So nothing pops, wherever the camera
 // was before: what is left out lies behind surfaces of this very frame.
+//
+// Where nothing was hidden, the next frames draw all and do not look: one, then two, and so on up to kMostRests (as
+// Mattausch, Bittner and Wimmer 2008, "CHC++", space their queries). Only time depends on it, never the picture.
 #pragma once
 
 #include "renderer/frame/frame.h"
@@ -42,6 +45,7 @@ void find_hidden_spheres(std::span<const glm::vec4> spheres, const FrameSetup& s
 class OcclusionCuller {
   public:
     static constexpr int kTilePx = 16;
+    static constexpr int kMostRests = 16;
 
     /// Before the frame is drawn: splits its visible instances into those seen in the frame before, and others. Keeps
     /// a reference to both until the next call. In the first frame, and in the first of another scene, all count as
@@ -52,15 +56,18 @@ class OcclusionCuller {
     /// distance that it shows, infinite (1e30) where a pixel of it shows none. Waits for it and reads it back.
     void find_hidden(const gl::Texture& tile_depths);
 
-    /// Of this frame, in its order. newly_seen and visible are empty until find_hidden is done; then `visible` is both
-    /// others together.
+    /// Whether this frame draws all and need not be asked what it hides.
+    bool rests() const { return rests_; }
+
+    /// Of this frame, in its order. In one that does not rest, newly_seen and visible are empty until find_hidden is
+    /// done; then `visible` is both others together.
     const DrawList& draws(Instances which) const;
 
     /// Of the frame's visible instances, those that are in none of the lists.
-    /// How many draws more the frame had without hiding; below 0 where batches are drawn in both phases.
-    int64_t saved_draws() const { return saved_draws_; }
     uint64_t hidden_instances() const { return hidden_instances_; }
     uint64_t hidden_triangles() const { return hidden_triangles_; }
+    /// How many draws more the frame had without hiding; below 0 where batches are drawn in both phases.
+    int64_t saved_draws() const { return saved_draws_; }
 
   private:
     const GpuScene* scene_ = nullptr;
@@ -70,6 +77,9 @@ class OcclusionCuller {
     DepthPyramid pyramid_;
     std::vector<glm::vec4> spheres_;
     std::vector<uint8_t> hidden_;
+    bool rests_ = false;
+    int rests_left_ = 0;
+    int next_rests_ = 1;  ///< as many, where nothing is hidden again
     int64_t saved_draws_ = 0;
     uint64_t hidden_instances_ = 0;
     uint64_t hidden_triangles_ = 0;

@@ -136,6 +136,8 @@ bool CompiledPath::is_idle(const Pass& pass, const Frame& frame) const {
             return frame.data.light_count == frame.data.directional_count;
         case Idle::without_instances:
             return occlusion_ && occlusion_->draws(pass.instances).draws.empty();
+        case Idle::without_occlusion:
+            return occlusion_ && occlusion_->rests();
     }
     return false;
 }

@@ -111,9 +111,14 @@ void draw_geometry(const PathSetup& setup, Pass pass, Path& path) {
     for (Write& write : rest.writes) write.load = Load::keep;
     pass.instances = Instances::seen_before;
     path.passes.push_back(std::move(pass));
-    path.passes.push_back(
-        tile_depth_pass(setup, "occluder_depth", kTilePx, {"WITH_BACKGROUND"}, path.depth, path.occluder_depth));
-    path.passes.push_back({.name = "occlusion", .reads = {path.occluder_depth}, .record = find_hidden_instances});
+    Pass tile_depth =
+        tile_depth_pass(setup, "occluder_depth", kTilePx, {"WITH_BACKGROUND"}, path.depth, path.occluder_depth);
+    tile_depth.idle = Idle::without_occlusion;
+    path.passes.push_back(std::move(tile_depth));
+    path.passes.push_back({.name = "occlusion",
+                           .reads = {path.occluder_depth},
+                           .record = find_hidden_instances,
+                           .idle = Idle::without_occlusion});
     path.passes.push_back(std::move(rest));
 }
 

@@ -71,6 +71,7 @@ enum class Idle : uint8_t {
     never,
     without_local_lights,  ///< no point or spot in the frame
     without_instances,     ///< nothing to draw of Pass::instances
+    without_occlusion,     ///< the occlusion culler rests
 };
 
 struct Pass {

@@ -236,6 +236,35 @@ TEST_F(Balls, WhatWasOutOfViewIsDrawnLate) {
     EXPECT_EQ(back.newly_seen, as_set(frame_.visible)) << "nothing is there yet to hide them";
 }
 
+// A ball alone hides nothing.
+TEST_F(Balls, RestsLongerAndLongerWhereNothingIsHidden) {
+    const Scene one = balls(1, 1);
+    const GpuScene gpu_scene(one, scene_needs(one));
+    const FrameSetup setup{
+        .camera = {.eye = {0.0, 0.0, 12.0}, .target = glm::dvec3(0.0)}, .width = kWidth, .height = kHeight};
+    std::vector<int> looked;
+    for (int frame = 0; frame < 80; ++frame) {
+        build_frame(gpu_scene, {}, setup, frame_);
+        culler_.begin(gpu_scene, frame_);
+        EXPECT_EQ(as_set(culler_.draws(Instances::seen_before)), as_set(frame_.visible));
+        if (culler_.rests()) {
+            EXPECT_EQ(as_set(culler_.draws(Instances::visible)), as_set(frame_.visible));
+            continue;
+        }
+        looked.push_back(frame);
+        culler_.find_hidden(tile_depths(draw_balls(one, setup, frame_.visible.instances)));
+    }
+    EXPECT_EQ(looked, (std::vector<int>{0, 2, 5, 10, 19, 36, 53, 70}));
+}
+
+TEST_F(Balls, NeverRestsWhereSomethingIsHidden) {
+    const Camera camera{.eye = {0.0, 0.0, 12.0}, .target = glm::dvec3(0.0)};
+    for (int frame = 0; frame < 4; ++frame) {
+        draw(camera);
+        EXPECT_FALSE(culler_.rests()) << frame;
+    }
+}
+
 TEST_F(Balls, AnotherSceneBeginsAnew) {
     const Camera camera{.eye = {0.0, 0.0, 12.0}, .target = glm::dvec3(0.0)};
     draw(camera);
