@@ -59,17 +59,6 @@ Json noise_json(const std::string& method) {
     return json;
 }
 
-Json rounding_json() {
-    Json list = Json::array();
-    for (const auto& probe : probe_rounding()) {
-        list.push_back({{"format", probe.format},
-                        {"write", word(probe.write)},
-                        {"blend", word(probe.blend)},
-                        {"sum_of_4000_tenths", probe.sum_of_4000_tenths}});
-    }
-    return list;
-}
-
 void print_doctor(const Json& json) {
     const auto& environment = json.at("environment");
     fmt::print("machine   {} ({} cores), {}\n", environment.at("cpu").get<std::string>(),
@@ -104,11 +93,13 @@ void print_doctor(const Json& json) {
                    100 * noise.at("floor").get<double>(), noise.at("pairs").get<int>(),
                    noise.at("ratio").get<double>());
     }
-    Table rounding({"HDR format", "write", "blend", "4000 x 0.1 blended (exact: 400)"});
+    Table rounding({"format", "write", "ties", "blend", "4000 x 0.1 blended (exact: 400)"});
+    const auto text_or_dash = [](const Json& found) { return found.is_null() ? "-" : found.get<std::string>(); };
     for (const auto& p : json.at("rounding")) {
-        rounding.add({p.at("format").get<std::string>(), p.at("write").get<std::string>(),
-                      p.at("blend").get<std::string>(),
-                      fmt::format("{:.6g}", p.at("sum_of_4000_tenths").get<double>())});
+        const Json& sum = p.at("sum_of_4000_tenths");
+        rounding.add({p.at("format").get<std::string>(), text_or_dash(p.at("write")), text_or_dash(p.at("ties")),
+                      text_or_dash(p.at("blend")),
+                      sum.is_null() ? std::string() : fmt::format("{:.6g}", sum.get<double>())});
     }
     fmt::print("{}\n", rounding.text());
     const auto& lists = json.at("light_lists");
@@ -161,7 +152,7 @@ Command add_doctor(CLI::App& app) {
         json["timer"] = to_json(timer);
         json["timer"]["trusted"] = trusted;
         json["noise"] = noise_json(timer.method);
-        json["rounding"] = rounding_json();
+        json["rounding"] = to_json(probe_rounding());
         json["light_lists"] = to_json(probe_light_lists());
         const auto costs = options->calibrate ? measure_costs(environment) : find_cost_model(environment);
         json["cost_model"] = costs ? to_json(*costs) : Json(nullptr);

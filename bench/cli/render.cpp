@@ -23,7 +23,8 @@ namespace {
 struct Options {
     DeviceOptions device;
     std::string scene = "atrium", path = "deferred", layout = "oct32", lights = "default", size = "1280x720";
-    std::string overlap = "scene", light_lists = "cpu", hdr = "rgba16f", skip = kSkipEverything, view = "final", output;
+    std::string overlap = "scene", light_lists = "cpu", hdr = "rgba16f", skip = kSkipEverything;
+    std::string guards = kGuards.front(), sums = kSums.front(), view = "final", output;
 };
 
 CellParams parse_options(const Options& options) {
@@ -36,7 +37,9 @@ CellParams parse_options(const Options& options) {
                                                                  {"layout", &options.layout},
                                                                  {"light_lists", &options.light_lists},
                                                                  {"hdr", &options.hdr},
-                                                                 {"skip", &options.skip}};
+                                                                 {"skip", &options.skip},
+                                                                 {"guards", &options.guards},
+                                                                 {"sums", &options.sums}};
     for (const auto& [name, value] : fields) set_cell_field(cell, find_cell_field(name), *value);
     const auto& views = view_names();
     if (std::find(views.begin(), views.end(), options.view) == views.end()) {
@@ -59,8 +62,11 @@ std::unique_ptr<Arm> make_arm(const CellParams& cell, const std::string& view, c
     if (view == "final") return std::make_unique<Arm>(cell, subject, buffers, shapes);
     const SceneNeeds& needs = subject.scene.needs();
     const Layout layout = drop_unneeded(load_layout(cell.layout.empty() ? "float32" : cell.layout), needs);
-    const PathSetup setup{
-        .needs = needs, .layout = layout, .hdr = gl::Format::RGBA32F, .skips = parse_skips(cell.skip).value()};
+    const PathSetup setup{.needs = needs,
+                          .layout = layout,
+                          .hdr = gl::Format::RGBA32F,
+                          .skips = parse_skips(cell.skip).value(),
+                          .guards = cell.guards == kGuards.front()};
     return std::make_unique<Arm>(build_view(view, setup), setup, subject, buffers, shapes);
 }
 
@@ -80,6 +86,10 @@ Command add_render(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--hdr", options->hdr, "format of the HDR target")->capture_default_str();
     command->add_option("--skip", options->skip, "what to skip: all, none, all-frustum-sort, none+light_lists, ...")
+        ->capture_default_str();
+    command->add_option("--guards", options->guards, "on, or off: what may divide by zero or overflow does")
+        ->capture_default_str();
+    command->add_option("--sums", options->sums, "how lights are added up: plain or compensated")
         ->capture_default_str();
     command->add_option("--view", options->view, "final, or a buffer (lightsweep list views)")->capture_default_str();
     command->add_option("-o,--output", options->output, "image.png (display values) or image.exr (linear values)")

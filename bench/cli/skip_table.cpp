@@ -1,6 +1,7 @@
 #include "bench/cli/skip_table.h"
 
 #include "bench/cli/table.h"
+#include "bench/plan/cell.h"
 #include "renderer/base/skips.h"
 
 #include <fmt/format.h>
@@ -79,7 +80,10 @@ std::string title_of(const Json& saving) {
     if (!saving.at("light_lists").is_null()) {
         title += fmt::format(", {} lists", saving.at("light_lists").get<std::string>());
     }
-    return title + ", " + saving.at("hdr").get<std::string>();
+    title += ", " + saving.at("hdr").get<std::string>();
+    if (saving.at("guards") != kGuards.front()) title += ", guards " + saving.at("guards").get<std::string>();
+    if (saving.at("sums") != kSums.front()) title += fmt::format(", {} sums", saving.at("sums").get<std::string>());
+    return title;
 }
 
 std::string speed_text(const Json& saving) {

@@ -32,7 +32,10 @@ std::string arm_text(const Json& arm) {
     if (!arm.at("layout").is_null()) text += "/" + arm.at("layout").get<std::string>();
     if (!arm.at("light_lists").is_null()) text += "/" + arm.at("light_lists").get<std::string>();
     text += "/" + arm.at("hdr").get<std::string>();
-    return arm.at("skip") == kSkipEverything ? text : text + "/" + arm.at("skip").get<std::string>();
+    if (arm.at("skip") != kSkipEverything) text += "/" + arm.at("skip").get<std::string>();
+    if (arm.at("guards") != kGuards.front()) text += "/guards=" + arm.at("guards").get<std::string>();
+    if (arm.at("sums") != kSums.front()) text += "/sums=" + arm.at("sums").get<std::string>();
+    return text;
 }
 
 // `cpu (auto)`: what was asked, where it is not what was used.
@@ -78,7 +81,8 @@ std::string skip_text(const Json& cell) {
 
 // What all cells share is said once, above the table, which then fits a terminal.
 std::string cell_table(const Json& report) {
-    const std::vector<std::string> names{"scene", "lights", "size", "path", "layout", "lists", "hdr", "skip"};
+    const std::vector<std::string> names{"scene", "lights", "size", "path",   "layout",
+                                         "lists", "hdr",    "skip", "guards", "sums"};
     const bool any_lost = std::ranges::any_of(report.at("cells"), [](const Json& cell) { return lost_px(cell) > 0; });
     std::vector<std::vector<std::string>> rows;
     for (const auto& cell : report.at("cells")) {
@@ -93,6 +97,8 @@ std::string cell_table(const Json& report) {
                                      lists_text(cell.at("light_lists")),
                                      p.at("hdr").get<std::string>(),
                                      skip_text(cell),
+                                     p.at("guards").get<std::string>(),
+                                     p.at("sums").get<std::string>(),
                                      time_text(wall.at("median").get<double>()),
                                      interval_text(wall)};
         std::ranges::move(error_columns(cell.at("error")), std::back_inserter(row));
@@ -108,7 +114,8 @@ std::string cell_table(const Json& report) {
     for (size_t column = names.size(); column-- > 0 && rows.size() > 1;) {
         const std::string& value = rows.front()[column];
         if (!std::ranges::all_of(rows, [&](const auto& row) { return row[column] == value; })) continue;
-        const bool goes_without_saying = value.empty() || value == kSkipEverything;
+        const bool goes_without_saying =
+            value.empty() || value == kSkipEverything || value == kGuards.front() || value == kSums.front();
         if (!goes_without_saying) {
             shared = fmt::format("{} {}{}", names[column], value, shared.empty() ? "" : ", ") + shared;
         }

@@ -130,8 +130,8 @@ Camera probe_camera(const Variant& variant) {
     Camera camera;
     camera.eye = glm::dvec3(0.0);
     camera.target = variant.is_depth() ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(2.0, -1.0, 3.0);
-    camera.near_distance = kNearDistance;
-    camera.far_distance = kFarDistance;
+    camera.near_distance = variant.near_distance;
+    camera.far_distance = variant.far_distance;
     return camera;
 }
 

@@ -30,8 +30,6 @@ struct FieldKind {
 /// The field of a variant. Throws InputError for one that nobody sends.
 const FieldKind& field_kind(const std::string& field);
 
-/// How far the camera of the depth's samples sees; they, and the positions, are log-uniform in between.
-inline constexpr double kNearDistance = 0.1, kFarDistance = 1000.0;
 /// Encodings that look at their neighbours get patches, each a bilinear blend of four random colours: independent
 /// pixels are no picture. Every pixel has a colour of its own, smooth within a patch and with a hard edge between two.
 inline constexpr int kPatch = 64;

@@ -10,11 +10,15 @@
 
 namespace lightsweep {
 
+/// How far the camera of the samples sees; depths and positions are log-uniform in between.
+inline constexpr double kNearDistance = 0.1, kFarDistance = 1000.0;
+
 struct Variant {
     std::string name;   ///< unique among the variants of its field
     std::string field;  ///< a layout's field, or "depth"
     Layout layout;      ///< one target with this field alone; for "depth" no target but its own depth format
-    gl::ClipDepth clip = gl::ClipDepth::zero_to_one;  ///< "depth" only
+    gl::ClipDepth clip = gl::ClipDepth::zero_to_one;                    ///< "depth" only
+    double near_distance = kNearDistance, far_distance = kFarDistance;  ///< of the camera that it is seen with
 
     bool is_depth() const { return layout.targets.empty(); }
     const StoredField& stored() const { return layout.targets.front().fields.front(); }  ///< not of "depth"

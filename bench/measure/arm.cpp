@@ -20,7 +20,12 @@ constexpr uint64_t kLightsAlike = 1024;
 PathSetup make_setup(const CellParams& cell, const SceneNeeds& needs) {
     const auto skips = parse_skips(cell.skip);
     CHECK_THAT(skips, "skip = {}", cell.skip);
-    PathSetup setup{.needs = needs, .layout = {}, .hdr = hdr_format(cell.hdr), .skips = *skips};
+    PathSetup setup{.needs = needs,
+                    .layout = {},
+                    .hdr = hdr_format(cell.hdr),
+                    .skips = *skips,
+                    .guards = cell.guards == kGuards.front(),
+                    .compensated_sums = cell.sums == kCompensatedSums};
     if (!cell.layout.empty()) {
         const Layout whole = load_layout(cell.layout);
         const Layout needed = drop_unneeded(whole, needs);  // refuses a layout that lacks something

@@ -81,7 +81,7 @@ DepthProbe probe_depth(const Subject& subject, FrameBuffers& buffers, const Draw
     probe.distances = arm.path().depth().read_floats(1);
     const auto& data = arm.frame().data;
     for (float& depth : probe.distances) {
-        depth = depth == data.depth_clear ? 0.0F : data.depth_scale / (depth + data.depth_offset);
+        depth = depth == data.depth_clear ? 0.0F : view_distance(data, depth);
     }
     return probe;
 }

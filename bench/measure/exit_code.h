@@ -5,7 +5,7 @@ namespace lightsweep {
 
 enum ExitCode : int {
     kDone = 0,
-    kVerdictFailed = 1,  ///< compare --fail-on
+    kVerdictFailed = 1,  ///< compare --fail-on; a stress case that fails
     kBadInput = 2,       ///< bad usage or bad input
     kRefused = 3,        ///< no context, wrong renderer, no trustworthy timer
     kCellsFailed = 4,    ///< some cells failed; the rest was measured

@@ -14,8 +14,6 @@
 namespace lightsweep {
 namespace {
 
-constexpr int64_t kUnitNs = 2'500'000;  // long against a clock's and a glFinish's own cost (some tens of microseconds)
-constexpr int kRepetitions = 9;
 constexpr int kAttempts = 5;
 constexpr int64_t kAttemptsNs = 15'000'000'000;  // no further attempt is begun after this
 // Of the clock around a frame. Two clocks may disagree by their own resolution and drift.
@@ -150,12 +148,12 @@ Trials no_trials(size_t timers) {
     return result;
 }
 
-// Every kind of work by every timer: adds kRepetitions to each trial.
-void add_repetitions(KnownWork& work, std::vector<TimerUnderTest>& timers, Trials& result) {
+// Every kind of work by every timer: adds as many to each trial.
+void add_repetitions(int repetitions, KnownWork& work, std::vector<TimerUnderTest>& timers, Trials& result) {
     for (size_t k = 0; k < work_kinds().size(); ++k) {
         for (size_t a = 0; a < kAmounts.size(); ++a) {
             const int amount = static_cast<int>(kAmounts[a]);
-            for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+            for (int repetition = 0; repetition < repetitions; ++repetition) {
                 const int64_t untimed = work.clock_ns(k, amount);
                 for (size_t t = 0; t < timers.size(); ++t) {
                     TimerTrial& trial = result.trials[t][k];
@@ -186,14 +184,14 @@ bool any_accepted(const std::vector<TimerMethodReport>& methods) {
 
 }  // namespace
 
-std::vector<TimerMethodReport> test_timers(std::vector<TimerUnderTest> timers) {
+std::vector<TimerMethodReport> test_timers(std::vector<TimerUnderTest> timers, TimerEffort effort) {
     KnownWork work;
-    work.calibrate(kUnitNs);
+    work.calibrate(effort.unit_ns);
     Trials trials = no_trials(timers.size());
     std::vector<TimerMethodReport> methods;
     const int64_t start = now_ns();
     for (int attempt = 0; attempt < kAttempts && !any_accepted(methods) && now_ns() - start < kAttemptsNs; ++attempt) {
-        add_repetitions(work, timers, trials);
+        add_repetitions(effort.repetitions, work, timers, trials);
         methods = judge_timers(timers, trials);
     }
     return methods;

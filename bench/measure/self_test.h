@@ -44,8 +44,14 @@ struct TimerTrial {
 /// The verdict on one method, from its trials alone. Pure.
 TimerMethodReport judge_timer(const std::string& method, const std::vector<TimerTrial>& trials);
 
+/// How much work the trials are made of.
+struct TimerEffort {
+    int64_t unit_ns = 2'500'000;  ///< long against a clock's and a glFinish's own cost (some tens of microseconds)
+    int repetitions = 9;
+};
+
 /// Runs the trials on the current context and judges each timer.
-std::vector<TimerMethodReport> test_timers(std::vector<TimerUnderTest> timers);
+std::vector<TimerMethodReport> test_timers(std::vector<TimerUnderTest> timers, TimerEffort effort = {});
 
 /// The first accepted method of `methods`; or `forced`, whatever they say, when it is not empty. Throws
 /// EnvironmentError when there is none. Pure.

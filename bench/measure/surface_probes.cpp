@@ -25,8 +25,11 @@ float alpha_of(const std::vector<float>& rgba, size_t texel) { return rgba[4 * t
 
 }  // namespace
 
-Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes) {
-    const PathSetup setup{.needs = subject.scene.needs(), .layout = {}, .hdr = {}, .skips = kProbeSkips};
+Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes,
+                           const Layout& layout, SkipSet skips) {
+    PathSetup setup{.needs = subject.scene.needs(), .layout = {}, .hdr = {}, .skips = skips.without(Skip::clears)};
+    setup.layout.depth = layout.depth;
+    setup.layout.convention = layout.convention;
     const VisibleTrianglePath probe = build_visible_triangles(setup);
     Arm arm(probe.path, setup, subject, buffers, shapes);
     arm.draw();

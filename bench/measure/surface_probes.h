@@ -9,8 +9,10 @@
 
 namespace lightsweep {
 
-/// Draws the visibility pass of the subject's view and reads it back.
-Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes);
+/// Draws the visibility pass of the subject's view and reads it back. Of `layout`, the depth alone counts; of `skips`,
+/// which of two surfaces at one depth comes first.
+Visibility draw_visibility(const Subject& subject, FrameBuffers& buffers, const DrawShapes& shapes,
+                           const Layout& layout = {}, SkipSet skips = SkipSet::all());
 
 /// What shading reads of a pixel from a layout's G-buffer.
 struct DecodedSurface {

@@ -59,6 +59,8 @@ CellParams control_cell(const CellParams& any_cell_of_group, size_t light_count)
     control.light_lists = plain ? "" : "cpu";
     control.hdr = "rgba32f";
     control.skip = kSkipEverything;
+    control.guards = kGuards.front();
+    control.sums = kSums.front();
     return control;
 }
 

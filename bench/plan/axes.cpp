@@ -74,6 +74,8 @@ std::vector<std::string> every_value(const CellField& axis, const Catalog& catal
     if (axis.name == "light_lists") return {kLightListBuilders.begin() + 1, kLightListBuilders.end()};
     if (axis.name == "hdr") return kHdrFormats;
     if (axis.name == "skip") return {SkipSet::all().text(), SkipSet::none().text()};
+    if (axis.name == "guards") return kGuards;
+    if (axis.name == "sums") return kSums;
     return {};
 }
 
@@ -168,6 +170,7 @@ std::vector<std::string> default_axis_values(const CellField& axis, const Catalo
         {"overlap", "scene"},         {"path", "*"},
         {"layout", "oct32"},          {"light_lists", kAutoLightLists},
         {"hdr", kHdrFormats.front()}, {"skip", kSkipEverything},
+        {"guards", kGuards.front()},  {"sums", kSums.front()},
     };
     const auto found = otherwise.find(axis.name);
     if (found == otherwise.end())

@@ -16,6 +16,8 @@ namespace lightsweep {
 
 const std::vector<std::string> kHdrFormats{"rgba16f", "rgba32f", "r11g11b10f"};
 const std::vector<std::string> kLightListBuilders{kAutoLightLists, "cpu", "compute"};
+const std::vector<std::string> kGuards{"on", "off"};
+const std::vector<std::string> kSums{"plain", kCompensatedSums};
 
 namespace {
 
@@ -180,8 +182,28 @@ const std::vector<CellField>& cell_fields() {
          .of_group = false,
          .text = [](const CellParams& c) { return c.skip == kSkipEverything ? std::string() : c.skip; },
          .set = set_skip},
+        {.name = "guards",
+         .allowed = "on or off",
+         .of_group = false,
+         .text = [](const CellParams& c) { return c.guards == kGuards.front() ? std::string() : c.guards; },
+         .set = [](CellParams& c, const std::string& v) { return set_one_of(kGuards, c.guards, v); }},
+        {.name = "sums",
+         .allowed = "plain or compensated",
+         .of_group = false,
+         .text = [](const CellParams& c) { return c.sums == kSums.front() ? std::string() : c.sums; },
+         .set = [](CellParams& c, const std::string& v) { return set_one_of(kSums, c.sums, v); }},
     };
     return fields;
+}
+
+std::vector<std::string> switched(const CellParams& cell) {
+    std::vector<std::string> words;
+    for (const char* name : {"skip", "guards", "sums"}) {
+        if (const std::string text = find_cell_field(name).text(cell); !text.empty()) {
+            words.push_back(fmt::format("{}={}", name, text));
+        }
+    }
+    return words;
 }
 
 const CellField& find_cell_field(std::string_view name) {

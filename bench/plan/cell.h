@@ -16,6 +16,11 @@ extern const std::vector<std::string> kHdrFormats;
 /// What builds the light lists. The first, the default, stands for the one of the others that is faster on the device.
 extern const std::vector<std::string> kLightListBuilders;
 inline constexpr const char* kAutoLightLists = "auto";
+/// Whether shaders guard what may divide by zero, overflow or lose all digits; on, the default, first.
+extern const std::vector<std::string> kGuards;
+/// How a pixel's lights are added up; plainly, the default, first.
+extern const std::vector<std::string> kSums;
+inline constexpr const char* kCompensatedSums = "compensated";
 /// The path that stands for the one expected to be fastest (cost_model.h of bench/measure). Not among those of `*`.
 inline constexpr const char* kAutoPath = "auto";
 /// What is skipped unless a cell says otherwise.
@@ -34,12 +39,14 @@ struct CellParams {
     std::string light_lists{};      ///< one of kLightListBuilders; empty for paths that list no lights
     std::string hdr = "rgba16f";    ///< one of kHdrFormats
     std::string skip = kSkipEverything;  ///< SkipSet::text(), or auto
+    std::string guards = "on";           ///< one of kGuards
+    std::string sums = "plain";          ///< one of kSums
 
     bool operator==(const CellParams&) const = default;
 
     /// `scene=atrium lights=64 size=640x360 path=deferred layout=oct16 hdr=rgba16f`: canonical, so that equal cells
     /// have equal names. What is left out: the scene's own overlap regime, the layout and the light lists of a path
-    /// without them, and skip=all.
+    /// without them, skip=all, guards=on and sums=plain.
     std::string name() const;
     /// The part of the name that the cells compared with each other share: scene, lights, size, overlap.
     std::string group() const;
@@ -58,8 +65,11 @@ struct CellField {
     bool (*set)(CellParams&, const std::string& value);
 };
 
-/// scene, lights, size, overlap, path, layout, light_lists, hdr, skip: in the order of the name.
+/// scene, lights, size, overlap, path, layout, light_lists, hdr, skip, guards, sums: in the order of the name.
 const std::vector<CellField>& cell_fields();
+
+/// What the cell has switched, skip, guards and sums, otherwise than they are by default: `skip=none`, `guards=off`.
+std::vector<std::string> switched(const CellParams& cell);
 /// Throws InputError with the nearest name.
 const CellField& find_cell_field(std::string_view name);
 

@@ -4,10 +4,14 @@
 #include "renderer/base/json_reader.h"
 #include "renderer/base/resources.h"
 
+#include <fmt/format.h>
+
 #include <unordered_set>
 
 namespace lightsweep {
 namespace {
+
+constexpr size_t kMostCells = 100'000;  // of a block
 
 AxisValues read_block(const JsonReader& json, const Catalog& catalog) {
     AxisValues block;
@@ -45,6 +49,9 @@ std::vector<CellParams> block_cells(const AxisValues& block, const AxisValues& o
         const auto values = overridden != overrides.end() ? overridden->second
                             : written != block.end()      ? written->second
                                                           : default_axis_values(axis, catalog);
+        if (cells.size() * values.size() > kMostCells) {
+            throw InputError(axis.name, fmt::format("more than {} cells", kMostCells));
+        }
         std::vector<CellParams> product;
         for (const auto& cell : cells) {
             for (const auto& value : values) {

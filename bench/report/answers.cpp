@@ -15,9 +15,11 @@ using Points = std::vector<TimeErrorPoint>;
 
 std::string words(const CellResult& cell) {
     const CellParams& arm = cell.params;
-    const std::string skip = arm.skip == kSkipEverything ? "" : "/skip=" + arm.skip;
-    return arm.layout.empty() ? fmt::format("{}/{}{}", arm.path, arm.hdr, skip)
-                              : fmt::format("{}/{}/{}{}", arm.path, arm.layout, arm.hdr, skip);
+    std::string text = arm.path;
+    if (!arm.layout.empty()) text += "/" + arm.layout;
+    text += "/" + arm.hdr;
+    for (const auto& word : switched(arm)) text += "/" + word;
+    return text;
 }
 
 // `4.21 [4.18, 4.25]`; an open end is a question mark.

@@ -103,7 +103,9 @@ Json arm_json(const CellParams& arm) {
             {"layout", codec::or_null(arm.layout)},
             {"light_lists", codec::or_null(arm.light_lists)},
             {"hdr", arm.hdr},
-            {"skip", arm.skip}};
+            {"skip", arm.skip},
+            {"guards", arm.guards},
+            {"sums", arm.sums}};
 }
 
 // What all arms of one view share.
@@ -140,6 +142,8 @@ Json fastest_json(const std::vector<FastestOverLights>& fastest) {
         json["layout"] = codec::or_null(view.layout);
         json["hdr"] = view.hdr;
         json["skip"] = view.skip;
+        json["guards"] = view.guards;
+        json["sums"] = view.sums;
         json["ranges"] = Json::array();
         for (const auto& range : ranges) {
             Json rivals = Json::array();

@@ -3,6 +3,7 @@
 #include "bench/report/pairs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -18,12 +19,11 @@ struct Series {
 
 // `deferred_tiled (oct32, cpu)`, as a sentence can say it.
 std::string words(const CellParams& arm) {
-    std::string details = arm.layout;
-    if (!arm.light_lists.empty() && arm.light_lists != kAutoLightLists) {
-        details += (details.empty() ? "" : ", ") + arm.light_lists;
-    }
-    if (arm.skip != kSkipEverything) details += (details.empty() ? "skip=" : ", skip=") + arm.skip;
-    return details.empty() ? arm.path : fmt::format("{} ({})", arm.path, details);
+    std::vector<std::string> details = switched(arm);
+    if (!arm.light_lists.empty() && arm.light_lists != kAutoLightLists)
+        details.insert(details.begin(), arm.light_lists);
+    if (!arm.layout.empty()) details.insert(details.begin(), arm.layout);
+    return details.empty() ? arm.path : fmt::format("{} ({})", arm.path, fmt::join(details, ", "));
 }
 
 bool is_baseline(const CellParams& arm) { return arm.path == kBaselinePath; }

@@ -42,7 +42,11 @@ Winner winner_of(const std::vector<const CellResult*>& arms, std::optional<doubl
     return winner;
 }
 
-// The contests that a group's arms stand in, sampled or not: one for each HDR format and layout.
+bool same_settings(const CellParams& a, const CellParams& b) {
+    return a.hdr == b.hdr && a.guards == b.guards && a.sums == b.sums;
+}
+
+// The contests that a group's arms stand in, sampled or not: one for each HDR format, guards, sums and layout.
 std::vector<CellParams> views_of(const GroupResult& group) {
     std::vector<CellParams> views;
     for (const bool with_layout : {true, false}) {
@@ -52,8 +56,9 @@ std::vector<CellParams> views_of(const GroupResult& group) {
             CellParams view = without_lights(cell.params);
             view.path.clear();
             view.light_lists.clear();
-            // Arms without a layout stand in every contest of their format; in one of their own only if there is none.
-            const auto same = [&](const CellParams& v) { return with_layout ? v == view : v.hdr == view.hdr; };
+            // Arms without a layout stand in every contest of their settings; in one of their own only if there is
+            // none.
+            const auto same = [&](const CellParams& v) { return with_layout ? v == view : same_settings(v, view); };
             if (std::ranges::none_of(views, same)) views.push_back(view);
         }
     }
@@ -85,7 +90,7 @@ CellParams without_lights(CellParams arm) {
 }
 
 bool same_kind(const CellParams& a, const CellParams& b) {
-    return a.hdr == b.hdr && (a.layout == b.layout || a.layout.empty() || b.layout.empty());
+    return same_settings(a, b) && (a.layout == b.layout || a.layout.empty() || b.layout.empty());
 }
 
 std::vector<FastestOverLights> find_fastest(const std::vector<GroupResult>& groups, std::optional<double> run_floor) {

@@ -11,7 +11,7 @@ namespace lightsweep {
 /// `arm` without its light count.
 CellParams without_lights(CellParams arm);
 
-/// Whether one may be taken for the other: of one HDR format, and of one layout where both have one.
+/// Whether one may be taken for the other: of one HDR format, guards and sums, and of one layout where both have one.
 bool same_kind(const CellParams& a, const CellParams& b);
 
 struct FastestRange {
@@ -22,7 +22,8 @@ struct FastestRange {
     std::vector<CellParams> rivals;  ///< those that are not surely slower at some count
 };
 
-/// Among the competitors of one scene, size, overlap regime, HDR format and skips that have one layout, or none.
+/// Among the competitors of one scene, size, overlap regime, HDR format, skips, guards and sums that have one layout,
+/// or none.
 struct FastestOverLights {
     CellParams view;  ///< without path, lights and light lists; its layout is that of the arms that have one
     std::vector<FastestRange> ranges;  ///< by rising light count

@@ -1,7 +1,10 @@
 #include "bench/report/journal.h"
 
+#include "bench/report/sound.h"
+
 #include "renderer/base/error.h"
 #include "renderer/base/file.h"
+#include "renderer/base/json_reader.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +19,7 @@ namespace lightsweep {
 namespace {
 
 Json parse_line(std::string_view line, const std::string& where) {
+    check_nesting(line, where);
     try {
         return Json::parse(line);
     } catch (const Json::exception& error) {
@@ -54,6 +58,7 @@ JournalContent read_journal(const std::filesystem::path& file) {
         }
         require_kind(line, "group", where);
         auto group = from_json<GroupResult>(line, where + ":");
+        require_sound(group, where + ":");
         for (const auto& before : journal.groups) {
             if (before.group == group.group) {
                 throw InputError(where, fmt::format("the group '{}' stands twice in the journal", group.group));

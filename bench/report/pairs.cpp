@@ -21,7 +21,8 @@ std::vector<Arms> arms_to_compare(const GroupResult& group) {
         if (arm->params.layout.empty()) continue;
         const auto twin = std::ranges::find_if(arms, [&](const CellResult* other) {
             return other->params.path == kBaselinePath && other->params.hdr == arm->params.hdr &&
-                   other->params.skip == arm->params.skip;
+                   other->params.skip == arm->params.skip && other->params.guards == arm->params.guards &&
+                   other->params.sums == arm->params.sums;
         });
         if (twin == arms.end() || std::ranges::find(pairs, Arms{arm, *twin}) != pairs.end()) continue;
         // The group's first arm may have a layout: then the forward arm stands against it already.

@@ -63,10 +63,10 @@ struct ArmPair {
     std::optional<double> floor;  ///< the noise floor it was judged by
 };
 
-/// Every arm against the group's first, and every arm with a layout against the forward arm of the same HDR format and
-/// skips; each pair once, arms that are not ok and pairs that share their samples left out. The interval is of
-/// kIntervalLevel; the verdict is given on the wider one of level_for_each(), so that all verdicts of the group hold
-/// together with that level. It is judged by floor_of(); without one it stays ambiguous.
+/// Every arm against the group's first, and every arm with a layout against the forward arm of the same HDR format,
+/// skips, guards and sums; each pair once, arms that are not ok and pairs that share their samples left out. The
+/// interval is of kIntervalLevel; the verdict is given on the wider one of level_for_each(), so that all verdicts of
+/// the group hold together with that level. It is judged by floor_of(); without one it stays ambiguous.
 std::vector<ArmPair> compare_arms(const GroupResult& group, std::optional<double> run_floor);
 
 }  // namespace lightsweep

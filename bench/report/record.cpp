@@ -250,7 +250,9 @@ struct Codec<CellParams> {
                 {"layout", or_null(cell.layout)},
                 {"light_lists", or_null(cell.light_lists)},
                 {"hdr", cell.hdr},
-                {"skip", cell.skip}};
+                {"skip", cell.skip},
+                {"guards", cell.guards},
+                {"sums", cell.sums}};
     }
     static CellParams decode(const Json& json, const std::string& where) {
         CellParams cell;
@@ -264,6 +266,8 @@ struct Codec<CellParams> {
         cell.light_lists = member<std::optional<std::string>>(json, "light_lists", where).value_or("");
         cell.hdr = member<std::string>(json, "hdr", where);
         cell.skip = member<std::optional<std::string>>(json, "skip", where).value_or(kSkipEverything);
+        cell.guards = member<std::optional<std::string>>(json, "guards", where).value_or(kGuards.front());
+        cell.sums = member<std::optional<std::string>>(json, "sums", where).value_or(kSums.front());
         return cell;
     }
 };

@@ -1,8 +1,10 @@
 #include "bench/report/report_file.h"
 
 #include "bench/report/json_codec.h"
+#include "bench/report/sound.h"
 
 #include "renderer/base/file.h"
+#include "renderer/base/json_reader.h"
 
 #include <fmt/format.h>
 
@@ -22,13 +24,16 @@ Report parse_report(const Json& json, const std::string& where) {
         codec::member<std::optional<double>>(codec::member<Json>(json, "noise", where), "floor", where + ":/noise");
     const auto cells = codec::member<std::vector<Json>>(json, "cells", where);
     for (size_t i = 0; i < cells.size(); ++i) {
-        report.cells.push_back(from_json<CellResult>(cells[i], fmt::format("{}:/cells/{}", where, i)));
+        const std::string place = fmt::format("{}:/cells/{}", where, i);
+        report.cells.push_back(from_json<CellResult>(cells[i], place));
+        require_sound(report.cells.back(), place);
     }
     return report;
 }
 
 Report read_report(const std::filesystem::path& file) {
     const std::string text = read_file(file);
+    check_nesting(text, file.string());
     try {
         return parse_report(Json::parse(text), file.string());
     } catch (const Json::exception& error) {

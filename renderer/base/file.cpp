@@ -22,7 +22,8 @@ std::string environment(const char* variable) {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) throw InputError(path.string(), "is a folder, not a file");
+    std::error_code ignored;  // opening it says what is wrong
+    if (std::filesystem::is_directory(path, ignored)) throw InputError(path.string(), "is a folder, not a file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
     std::ostringstream text;

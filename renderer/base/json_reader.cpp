@@ -27,11 +27,27 @@ std::string range_text(double low, double high) {
 
 }  // namespace
 
+void check_nesting(std::string_view text, const std::string& name) {
+    constexpr int kDeepest = 100;
+    int depth = 0;
+    bool in_string = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string && c == '\\') ++i;
+        if (c == '"') in_string = !in_string;
+        if (in_string) continue;
+        depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+        if (depth > kDeepest)
+            throw InputError(name + ":" + place(text, i), fmt::format("nests deeper than {}", kDeepest));
+    }
+}
+
 JsonReader JsonReader::from_file(const std::filesystem::path& file) {
     return from_text(read_file(file), file.string());
 }
 
 JsonReader JsonReader::from_text(std::string_view text, std::string name) {
+    check_nesting(text, name);
     JsonReader reader;
     try {
         // Duplicate keys: nlohmann keeps the last one; a file that means two things is refused instead.
@@ -65,7 +81,12 @@ JsonReader JsonReader::from_text(std::string_view text, std::string name) {
     return reader;
 }
 
-std::string JsonReader::where() const { return file_->string() + ":" + (pointer_.empty() ? "/" : pointer_); }
+std::string JsonReader::where() const {
+    std::string shown = pointer_.empty() ? "/" : pointer_;  // keys may hold line breaks, a message may not
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return c < 0x20; }, '?');
+    return file_->string() + ":" + shown;
+}
 
 JsonReader JsonReader::child(const nlohmann::json& value, const std::string& token) const {
     JsonReader reader = *this;

@@ -16,6 +16,10 @@
 
 namespace lightsweep {
 
+/// Throws InputError, with `name` for the file, where lists and objects of JSON text nest deeper than any file of the
+/// program's does: values are copied and printed recursively, and a stack ends.
+void check_nesting(std::string_view text, const std::string& name);
+
 /// One value inside a JSON file, and where it stands. Cheap to copy: it shares the parsed document.
 class JsonReader {
   public:

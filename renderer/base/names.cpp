@@ -42,7 +42,10 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
 
 std::string unknown_name(std::string_view what, std::string_view word, std::span<const std::string> candidates) {
     const std::string near = nearest_name(word, candidates);
-    return fmt::format("unknown {} '{}'{}; known: {}", what, word,
+    std::string shown(word);  // a message is one line
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return c < 0x20; }, '?');
+    return fmt::format("unknown {} '{}'{}; known: {}", what, shown,
                        near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near), fmt::join(candidates, ", "));
 }
 

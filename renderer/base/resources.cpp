@@ -49,15 +49,16 @@ std::vector<std::string> resource_keys(std::string_view folder, std::string_view
 fs::path find_resource(std::string_view what, std::string_view key_or_path, std::string_view folder,
                        const std::vector<std::string>& extensions) {
     const fs::path as_path(key_or_path);
+    std::error_code ignored;  // a name that no file can have is one that does not exist
     const bool is_path = key_or_path.find('/') != std::string_view::npos ||
                          std::find(extensions.begin(), extensions.end(), as_path.extension()) != extensions.end();
     if (is_path) {
-        if (!fs::exists(as_path)) throw InputError(as_path.string(), "no such file");
+        if (!fs::exists(as_path, ignored)) throw InputError(as_path.string(), "no such file");
         return as_path;
     }
     for (const auto& extension : extensions) {
         fs::path path = resource(folder) / (std::string(key_or_path) + extension);
-        if (!key_or_path.empty() && fs::exists(path)) return path;
+        if (!key_or_path.empty() && fs::exists(path, ignored)) return path;
     }
     throw InputError(unknown_name(what, key_or_path, resource_keys(folder, extensions.front())) +
                      ", or the path of a file");

@@ -1,5 +1,6 @@
 #include "renderer/frame/frame.h"
 
+#include "renderer/base/float_split.h"
 #include "renderer/frame/cull.h"
 #include "renderer/frame/light_bounds.h"
 #include "shaders/shared/slots.h"
@@ -17,15 +18,20 @@ namespace {
 // there count, too.
 constexpr float kLightMargin = 0x1p-9F;
 
-// What shaders divide by is its square, and that is no zero. A light without a radius reaches no surface with this one.
-constexpr float kLeastRadius = 1e-18F;
+// What shaders divide by is its square, and that is a number above zero. A light without a radius reaches no surface
+// with the least one, and one without an end every surface with the most.
+constexpr double kLeastRadius = 1e-18, kMostRadius = 1e18;
+
+// Shaders divide an intensity by 1e-4 at least. What becomes infinite there, times a lobe of zero, would be no number.
+constexpr double kMostIntensity = 3e34;
 
 void set_depth_constants(const Camera& camera, DepthConvention convention, shared::FrameData& data) {
     const double n = camera.near_distance, f = camera.far_distance;
-    // depth = A + B / z, so z = B / (depth - A); see camera_projection.
+    // depth = A + B / z, so z = B / (depth - A); see camera_projection. A = depth_clear - depth_offset.
     const bool reversed = convention == DepthConvention::reversed;
-    data.depth_scale = static_cast<float>((reversed ? 1.0 : -1.0) * n * f / (f - n));
-    data.depth_offset = static_cast<float>(reversed ? n / (f - n) : -f / (f - n));
+    const double sign = reversed ? 1.0 : -1.0;
+    data.depth_scale = static_cast<float>(sign * n * f / (f - n));
+    data.depth_offset = static_cast<float>(sign * n / (f - n));
     data.depth_clear = reversed ? 0.0F : 1.0F;
 }
 
@@ -50,11 +56,22 @@ struct SpotCone {
 
 shared::LightData light_data(const Light& light, const glm::dvec3& relative) {
     return {.position = glm::vec3(relative),
-            .radius = std::max(static_cast<float>(light.radius), kLeastRadius),
-            .color = glm::vec3(light.color),
+            .radius = static_cast<float>(std::clamp(light.radius, kLeastRadius, kMostRadius)),
+            .color = glm::vec3(glm::clamp(light.color, -kMostIntensity, kMostIntensity)),
             .spot_scale = 0.0F,
             .direction = glm::vec3(light.direction),
             .spot_offset = 1.0F};
+}
+
+bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// A light that stands, points or ends nowhere reaches no surface, and no bounds could be found for it. An infinite
+// radius is a radius.
+bool has_place(const Light& light) {
+    const bool points_somewhere = is_finite(light.direction);
+    if (light.kind == LightKind::directional) return points_somewhere;
+    return is_finite(light.position) && !std::isnan(light.radius) &&
+           (light.kind == LightKind::point || points_somewhere);
 }
 
 bool gives_nothing(const Light& light) { return light.radius <= 0.0 || light.color == glm::dvec3(0.0); }
@@ -138,13 +155,17 @@ void set_camera_constants(const FrameSetup& setup, shared::FrameData& data) {
     const double tan_x = tan_y * setup.width / setup.height;
     data.clip_from_world = glm::mat4(camera_projection(camera, setup.width, setup.height, setup.convention));
     data.camera_high = glm::vec3(camera.eye);
-    data.camera_low = glm::vec3(camera.eye - glm::dvec3(data.camera_high));
+    data.camera_low = glm::vec3(beyond_float(camera.eye.x), beyond_float(camera.eye.y), beyond_float(camera.eye.z));
     data.ray_right = glm::vec3(basis.right * tan_x);
     data.ray_up = glm::vec3(basis.up * tan_y);
     data.ray_forward = glm::vec3(basis.forward);
     data.pixel_to_ndc_x = static_cast<float>(2.0 / setup.width);
     data.pixel_to_ndc_y = static_cast<float>(2.0 / setup.height);
     set_depth_constants(camera, setup.convention, data);
+}
+
+float view_distance(const shared::FrameData& data, float depth) {
+    return data.depth_scale / ((depth - data.depth_clear) + data.depth_offset);
 }
 
 void collect_lights(const std::vector<Light>& lights, Frame& frame) {
@@ -154,6 +175,7 @@ void collect_lights(const std::vector<Light>& lights, Frame& frame) {
     LocalLights local(frame);
     std::vector<shared::LightData> directional;
     for (const Light& light : lights) {
+        if (!has_place(light)) continue;
         if (light.kind != LightKind::directional) {
             if (!culls || !gives_nothing(light)) local.add(light);
         } else if (!culls || light.color != glm::dvec3(0.0)) {

@@ -83,8 +83,11 @@ struct Frame {
 /// The part of the constants that the camera alone decides; `data` keeps the rest.
 void set_camera_constants(const FrameSetup& setup, shared::FrameData& data);
 
+/// Distance along the view axis of what has this depth, as shaders/lib/frame.glsl computes it.
+float view_distance(const shared::FrameData& data, float depth);
+
 /// Makes `frame.lights` of those that can reach the view of `frame.setup`, camera-relative, and counts them. Without
-/// Skip::light_frustum it keeps all.
+/// Skip::light_frustum it keeps all, but for those whose place, radius or direction is no number: they reach nothing.
 void collect_lights(const std::vector<Light>& lights, Frame& frame);
 
 /// Culls instances and lights against the view frustum, orders the instances of each batch and the batches by view

@@ -1,5 +1,6 @@
 #include "renderer/frame/gpu_scene.h"
 
+#include "renderer/base/float_split.h"
 #include "shaders/shared/slots.h"
 #include "shaders/shared/types.h"
 
@@ -29,7 +30,7 @@ constexpr TextureKind kTextureKinds[] = {
 shared::InstanceData instance_data(const glm::dmat4& m) {
     const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
     const glm::vec3 high(m[3]);
-    const glm::vec3 low(glm::dvec3(m[3]) - glm::dvec3(high));
+    const glm::vec3 low(beyond_float(m[3].x), beyond_float(m[3].y), beyond_float(m[3].z));
     // The cofactor matrix is the inverse transpose times the determinant: it exists for singular matrices too. Its
     // scale is divided out, since cofactors of a scale of 1e-20 would underflow in float.
     const double sign = glm::dot(glm::cross(x, y), z) < 0.0 ? -1.0 : 1.0;

@@ -83,13 +83,14 @@ Slopes disc_slopes_in_front(double across, double z, double radius) {
     return slopes;
 }
 
-// The pixels whose centres are within the slopes, [first, second).
+// The pixels whose centres are within the slopes, [first, second). What is no number is everywhere: comparisons with it
+// are false.
 std::pair<int, int> pixels_within(const Slopes& slopes, double tangent, int size) {
     const double px_per_slope = 0.5 * size / tangent;
     const double first = std::ceil((slopes.low + tangent) * px_per_slope - 0.5);
     const double last = std::floor((slopes.high + tangent) * px_per_slope - 0.5);
-    return {static_cast<int>(std::clamp(first, 0.0, double(size))),
-            static_cast<int>(std::clamp(last + 1.0, 0.0, double(size)))};
+    return {static_cast<int>(std::min(std::max(0.0, first), double(size))),
+            static_cast<int>(std::max(std::min(double(size), last + 1.0), 0.0))};
 }
 
 }  // namespace

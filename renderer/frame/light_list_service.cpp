@@ -75,7 +75,7 @@ LightListService::LightListService(const LightGridDesc& desc, ListBuilder builde
     if (builder == ListBuilder::cpu) return;
     bounds_texels_ = small_texels("light bounds", gl::Format::RGBA32F);
     masks_ = small_texels("light masks", gl::Format::R32UI);
-    wanted_ = gl::Buffer(2 * sizeof(uint32_t), "wanted indices");
+    wanted_ = gl::Buffer(sizeof(Wanted), "wanted indices");
     mask_program_ = gl::Program({.compute = "lists/light_mask.comp.glsl"});
     list_program_ = gl::Program(
         {.compute = "lists/light_list.comp.glsl",
@@ -86,18 +86,20 @@ void LightListService::build(const Frame& frame, const gl::Texture* tile_depths)
     CHECK(desc_.depth_bounds == (tile_depths != nullptr));
     light_bounds(frame, position_error_, bounds_);
     grid_ = make_light_grid(desc_, frame.setup, bounds_);
+    directional_count_ = frame.data.directional_count;
     if (builder_ == ListBuilder::cpu) {
-        build_on_cpu(frame, tile_depths);
+        build_on_cpu(tile_depths);
     } else {
         build_on_gpu(tile_depths);
     }
 }
 
-void LightListService::build_on_cpu(const Frame& frame, const gl::Texture* tile_depths) {
+void LightListService::build_on_cpu(const gl::Texture* tile_depths) {
     const std::vector<DepthRange> ranges =
         tile_depths == nullptr ? std::vector<DepthRange>{} : read_ranges(*tile_depths);
-    build_light_lists(grid_, bounds_, ranges, frame.data.directional_count, lists_,
+    build_light_lists(grid_, bounds_, ranges, directional_count_, lists_,
                       std::min(largest_index_count(), kMostListIndices));
+    check_lengths(lists_.cells);
     cells_.write_items<CellList>(lists_.cells);
     indices_.write_items<uint32_t>(lists_.indices);
     grid_.index_capacity = static_cast<uint32_t>(lists_.indices.size());
@@ -145,17 +147,35 @@ void LightListService::bind() const {
     indices_.bind(shared::kLightIndexUnit);
 }
 
-uint64_t LightListService::wanted_indices() const {
-    uint64_t wanted = 0;  // the shader's two words, lower first
+LightListService::Wanted LightListService::read_wanted() const {
+    Wanted wanted{};
     wanted_.read(std::as_writable_bytes(std::span(&wanted, 1)));
     return wanted;
 }
 
+// Shaders loop over the directional lights, then over a list: drivers that end long loops would lose its last lights.
+void LightListService::check_lengths(std::span<const CellList> cells) const {
+    const int64_t allowed = gl::Context::current()->limits().max_loop_rounds;
+    if (directional_count_ + bounds_.size() <= static_cast<size_t>(allowed)) return;
+    const size_t longest = std::ranges::max(cells, {}, &CellList::count).count;
+    check_limit("lights for a cell", directional_count_ + longest, "max_loop_rounds", allowed);
+}
+
 bool LightListService::grow_if_cut_short() {
     if (builder_ == ListBuilder::cpu) return false;
-    const uint64_t wanted = wanted_indices();
-    if (wanted <= grid_.index_capacity) return false;
+    const auto [wanted, lists_cut, unused] = read_wanted();
     const gl::Limits& limits = gl::Context::current()->limits();
+    if (lists_cut != 0) {
+        throw EnvironmentError(
+            fmt::format("light lists of {} lights: their builder loops more than max_loop_rounds, {}", bounds_.size(),
+                        limits.max_loop_rounds));
+    }
+    if (wanted <= grid_.index_capacity) {
+        if (directional_count_ + bounds_.size() > static_cast<size_t>(limits.max_loop_rounds)) {
+            check_lengths(read().cells);
+        }
+        return false;
+    }
     check_limit("indices", wanted, "max_texel_buffer_texels", limits.max_texel_buffer_texels);
     check_limit("bytes of indices", wanted * sizeof(uint32_t), "max_storage_block_bytes",
                 limits.max_storage_block_bytes);
@@ -168,7 +188,7 @@ LightLists LightListService::read() const {
     LightLists lists;
     lists.cells.resize(cell_count(grid_));
     cells_.buffer().read(std::as_writable_bytes(std::span(lists.cells)));
-    std::vector<uint32_t> indices(std::min<uint64_t>(wanted_indices(), grid_.index_capacity));
+    std::vector<uint32_t> indices(std::min<uint64_t>(read_wanted().indices, grid_.index_capacity));
     indices_.buffer().read(std::as_writable_bytes(std::span(indices)));
     // The threads reserve their room in any order, more than they fill, and beyond the end.
     for (CellList& list : lists.cells) {

@@ -30,7 +30,8 @@ class LightListService {
     void bind() const;
 
     /// A compute shader's lists may need more room than there was; those that did not fit came out empty. Waits for the
-    /// GPU, makes room, and says whether the frame must be drawn again. The CPU's lists always fit. Throws as `build`.
+    /// GPU, makes room, and says whether the frame must be drawn again. The CPU's lists always fit. Throws as `build`,
+    /// also when the device ended loops of the builder or would end those that walk the lists.
     bool grow_if_cut_short();
 
     /// The lists as built last. Waits; never while measuring.
@@ -39,19 +40,27 @@ class LightListService {
     size_t memory_bytes() const;
 
   private:
-    void build_on_cpu(const Frame& frame, const gl::Texture* tile_depths);
+    // As lists/light_list.comp.glsl writes it.
+    struct Wanted {
+        uint64_t indices;  // two words, lower first
+        uint32_t lists_cut, unused;
+    };
+
+    void build_on_cpu(const gl::Texture* tile_depths);
     void build_on_gpu(const gl::Texture* tile_depths);
-    uint64_t wanted_indices() const;
+    Wanted read_wanted() const;
+    void check_lengths(std::span<const CellList> cells) const;
 
     LightGridDesc desc_;
     ListBuilder builder_;
     double position_error_;
     shared::LightGridData grid_{};
+    uint32_t directional_count_ = 0;
     std::vector<shared::LightBounds> bounds_;
     LightLists lists_;  ///< of the CPU's builder
     gl::Buffer grid_block_;
     gl::TexelBuffer cells_, indices_;
-    // Of the compute builder: bounds, one bit per light and tile, how many indices were wanted.
+    // Of the compute builder: bounds, one bit per light and tile, what came of it.
     gl::TexelBuffer bounds_texels_, masks_;
     gl::Buffer wanted_;
     gl::Program mask_program_, list_program_;

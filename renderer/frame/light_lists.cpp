@@ -94,15 +94,14 @@ Range slices_between(const LightGridData& grid, const std::vector<float>& edges,
 }
 
 // The rows or columns that overlap the slopes [low, high]; `per_slope` of them fit into a slope of 1. What
-// multiplication says is at most one off.
+// multiplication says is at most one off. What is no number is everywhere: comparisons with it are false.
 Range tiles_between(const std::vector<float>& edges, float per_slope, float low, float high) {
     const auto last = static_cast<int>(edges.size()) - 2;
-    const auto guess = [&](float slope) {
-        return static_cast<int>(std::clamp((slope - edges[0]) * per_slope, 0.0F, static_cast<float>(last)));
-    };
-    const int begin = guess(low), end = guess(high);
+    const auto most = static_cast<float>(last);
+    const auto begin = static_cast<int>(std::min(std::max(0.0F, (low - edges[0]) * per_slope), most));
+    const auto end = static_cast<int>(std::max(std::min(most, (high - edges[0]) * per_slope), 0.0F));
     return {static_cast<uint32_t>(begin + (edges[begin + 1] < low) - ((begin > 0) & (edges[begin] >= low))),
-            static_cast<uint32_t>(end + (edges[end] <= high) + ((end < last) & (edges[end + 1] <= high)))};
+            static_cast<uint32_t>(end + !(edges[end] > high) + ((end < last) & !(edges[end + 1] > high)))};
 }
 
 // Lights by slice, rising: those of slice s are slice_lights[slice_ends[s - 1], slice_ends[s]).

@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include <array>
+
 namespace lightsweep::gl {
 namespace {
 
@@ -44,6 +46,36 @@ constexpr LimitRow kFirstDirection[] = {
     {"max_compute_groups", &Limits::max_compute_groups, GL_MAX_COMPUTE_WORK_GROUP_COUNT},
 };
 
+// As many as any shader here makes for a million lights, and more; no device is asked for more.
+constexpr GLuint kMostLoopRounds = 1U << 21;
+
+// Not a limit that GL knows: a shader counts its rounds.
+int64_t count_loop_rounds() {
+    const char* text =
+        "#version 450 core\n"
+        "layout(local_size_x = 1) in;\n"
+        "layout(std430, binding = 0) buffer Rounds { uint asked, made; };\n"
+        "void main() {\n"
+        "    uint count = 0u;\n"
+        "    while (count < asked) ++count;\n"
+        "    made = count;\n"
+        "}\n";
+    const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text);
+    std::array<GLuint, 2> rounds{kMostLoopRounds, 0};
+    GLuint buffer = 0;
+    glCreateBuffers(1, &buffer);
+    glNamedBufferStorage(buffer, sizeof(rounds), rounds.data(), 0);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
+    glUseProgram(program);
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(buffer, 0, sizeof(rounds), rounds.data());
+    glUseProgram(0);
+    glDeleteBuffers(1, &buffer);
+    glDeleteProgram(program);
+    return rounds[1];
+}
+
 }  // namespace
 
 Limits query_limits() {
@@ -63,6 +95,7 @@ Limits query_limits() {
         glGetInteger64i_v(row.query, 0, &value);
         limits.*row.value = value;
     }
+    limits.max_loop_rounds = count_loop_rounds();
     return limits;
 }
 
@@ -71,6 +104,7 @@ std::vector<std::pair<std::string_view, int64_t>> named_limits(const Limits& lim
     for (const LimitRow& row : kLimits) named.emplace_back(row.name, limits.*row.value);
     for (const LimitRow& row : kCounterBits) named.emplace_back(row.name, limits.*row.value);
     for (const LimitRow& row : kFirstDirection) named.emplace_back(row.name, limits.*row.value);
+    named.emplace_back("max_loop_rounds", limits.max_loop_rounds);
     return named;
 }
 

@@ -27,12 +27,13 @@ struct Limits {
     int64_t max_compute_invocations = 0;  ///< per work group
     int64_t max_compute_shared_bytes = 0;
     int64_t max_compute_groups = 0;  ///< work groups in the x direction of a dispatch
+    int64_t max_loop_rounds = 0;     ///< of a shader's loops together: some drivers end them then, without a word
     int64_t subpixel_bits = 0;
     int64_t time_elapsed_bits = 0;  ///< GL_QUERY_COUNTER_BITS; 0 means that the query does not count at all
     int64_t timestamp_bits = 0;
 };
 
-/// Reads the limits of the current context.
+/// Reads the limits of the current context, and finds out max_loop_rounds by letting a shader count.
 Limits query_limits();
 
 /// Name and value of every limit, in the order of the struct.

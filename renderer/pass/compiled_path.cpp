@@ -86,6 +86,8 @@ CompiledPath::CompiledPath(Path path, const PathSetup& setup, int width, int hei
     const Layout& layout = path_.thin_layout ? *path_.thin_layout : setup.layout;
     auto defines = setup.code().defines();
     if (!skips_.has(Skip::backface)) defines.emplace_back("KEEPS_BACK_FACES");
+    if (!setup.guards) defines.emplace_back("UNGUARDED");
+    if (setup.compensated_sums) defines.emplace_back("COMPENSATED_SUMS");
     for (const auto& pass : path_.passes) {
         CompiledPass compiled;
         const auto add_stage = [&](const Shader& shader, const gl::RasterState& state) {
@@ -178,8 +180,21 @@ void CompiledPath::bind_inputs(const Pass& pass, const DrawInput& input) const {
     if (light_lists_) light_lists_->bind();
 }
 
+// Where shaders loop over all lights, drivers that end long loops would lose the last ones. Lists see to it themselves.
+void CompiledPath::check_loops(const Frame& frame) const {
+    const int64_t allowed = gl::Context::current()->limits().max_loop_rounds;
+    if (light_lists_ || frame.data.light_count <= allowed) return;
+    const bool loops = std::ranges::any_of(path_.passes, [](const Pass& pass) {
+        return pass.shades == Shades::all_lights || pass.shades == Shades::all_lights_of_covered;
+    });
+    if (!loops) return;
+    throw EnvironmentError(fmt::format("shaders that loop over {} lights: more than max_loop_rounds, {}",
+                                       frame.data.light_count, allowed));
+}
+
 // Lists that a pass is to build are not built here.
 void CompiledPath::prepare(const GpuScene& scene, const Frame& frame) {
+    check_loops(frame);
     if (occlusion_) occlusion_->begin(scene, frame);
     const bool in_a_pass = std::ranges::any_of(path_.passes, [](const Pass& p) { return p.record == build_lists; });
     if (light_lists_ && !in_a_pass) light_lists_->build(frame, nullptr);
@@ -251,7 +266,7 @@ uint64_t CompiledPath::listed_lights(const shared::FrameData& data) const {
     for (size_t i = 0; i < depths.size(); ++i) {
         if (depths[i] == depth_clear_) continue;
         const size_t x = i % width / grid.tile_px, y = i / width / grid.tile_px;
-        const uint32_t slice = shared::slice_of(grid, data.depth_scale / (depths[i] + data.depth_offset));
+        const uint32_t slice = shared::slice_of(grid, view_distance(data, depths[i]));
         sum += lists.cells[(slice * grid.tiles_y + y) * grid.tiles_x + x].count;
     }
     return sum;

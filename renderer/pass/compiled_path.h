@@ -21,7 +21,7 @@ class CompiledPath {
     CompiledPath(Path path, const PathSetup& setup, int width, int height);
 
     /// Before `execute`, part of building the frame: what of culling and light lists needs no picture. Keeps references
-    /// until the frame is executed.
+    /// until the frame is executed. Throws EnvironmentError when the device refuses as many lights.
     void prepare(const GpuScene& scene, const Frame& frame);
     void execute(const DrawInput& input, PassTimer& timer);
     /// After `execute`: true when light lists had no room and the frame must be drawn again; there is room now. Waits
@@ -57,6 +57,7 @@ class CompiledPath {
         gl::Framebuffer framebuffer;
         std::vector<size_t> last_used;  ///< targets that nothing reads after this pass
     };
+    void check_loops(const Frame& frame) const;
     bool is_idle(const Pass& pass, const Frame& frame) const;
     void load(const Pass& pass, const gl::Framebuffer& framebuffer, const Frame& frame) const;
     void bind_inputs(const Pass& pass, const DrawInput& input) const;

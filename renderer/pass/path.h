@@ -116,6 +116,8 @@ struct PathSetup {
     gl::Format hdr = gl::Format::RGBA16F;
     ListBuilder light_lists = ListBuilder::cpu;  ///< of paths that list lights
     SkipSet skips = SkipSet::all();
+    bool guards = true;             ///< shaders guard what may divide by zero, overflow or lose all digits
+    bool compensated_sums = false;  ///< lights are summed with what each addition rounds off carried along
 
     /// What shaders are compiled for.
     SceneNeeds code() const { return skips.has(Skip::code) ? needs : needs.with_all_code(); }

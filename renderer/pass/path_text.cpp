@@ -30,10 +30,11 @@ void add_stage(std::string& text, const Shader& shader, const gl::RasterState& s
 }  // namespace
 
 std::string path_text(const Path& path, const PathSetup& setup, int width, int height) {
-    std::string text = fmt::format("{}x{} convention {} clears {} back faces {} lists {}\n[{}]\n", width, height,
-                                   static_cast<int>(setup.layout.convention), setup.skips.has(Skip::clears),
-                                   setup.skips.has(Skip::backface), static_cast<int>(setup.light_lists),
-                                   fmt::join(setup.code().defines(), "; "));
+    std::string text =
+        fmt::format("{}x{} convention {} clears {} back faces {} lists {} guards {} compensated {}\n[{}]\n", width,
+                    height, static_cast<int>(setup.layout.convention), setup.skips.has(Skip::clears),
+                    setup.skips.has(Skip::backface), static_cast<int>(setup.light_lists), setup.guards,
+                    setup.compensated_sums, fmt::join(setup.code().defines(), "; "));
     if (path.light_grid) add(text, path.light_grid->tile_px, path.light_grid->slices, path.light_grid->depth_bounds);
     for (const auto& target : path.targets) add(text, target.format, target.px_per_texel);
     add(text, path.hdr.index, path.display.index);

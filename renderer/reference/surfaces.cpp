@@ -22,9 +22,11 @@ struct PlanePoint {
     glm::dvec3 position;
 };
 
+constexpr double kShortest = 1e-8;  // sums of unit vectors below this have cancelled out
+
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
-    return length > 1e-8 ? v / length : otherwise;
+    return length > kShortest ? v / length : otherwise;
 }
 
 // A tiny vector has a direction all the same; only zero has none, and stays zero.
@@ -72,21 +74,37 @@ std::optional<PlanePoint> interpolate_snapped(const PlacedTriangle& t, const Vie
     return PlanePoint{weights, t.at(weights.y, weights.z)};
 }
 
-glm::dvec3 mapped_normal(const Material& material, const SampledTexels& texels, const glm::dvec3& normal,
-                         const glm::dvec4& tangent) {
+// A tangent along the normal has no direction across it: any other one takes its place, with the same handedness.
+glm::dvec4 usable_tangent(const glm::dvec3& normal, const glm::dvec4& tangent) {
+    constexpr double kSmallestSine = 1e-3;
     const glm::dvec3 along(tangent);
-    const glm::dvec2 slope = (2.0 * glm::dvec2(texels.normal) - 1.0) * static_cast<double>(material.normal_scale);
-    return along * slope.x + glm::cross(normal, along) * (tangent.w * slope.y) +
-           normal * (2.0 * static_cast<double>(texels.normal.z) - 1.0);
+    const double bitangent = glm::length(glm::cross(normal, along) * tangent.w);
+    if (bitangent > kSmallestSine * glm::length(normal) * glm::length(along)) return tangent;
+    const glm::dvec3 across = std::abs(normal.x) > std::abs(normal.z) ? glm::dvec3(-normal.y, normal.x, 0.0)
+                                                                      : glm::dvec3(0.0, -normal.z, normal.y);
+    return {unit_or(across, {1.0, 0.0, 0.0}), tangent.w < 0.0 ? -1.0 : 1.0};
+}
+
+glm::dvec3 mapped_normal(const glm::dvec3& mapped, const glm::dvec3& normal, const glm::dvec4& tangent) {
+    const glm::dvec3 along(tangent);
+    return along * mapped.x + glm::cross(normal, along) * (tangent.w * mapped.y) + normal * mapped.z;
 }
 
 glm::dvec3 shading_normal(const std::array<const Vertex*, 3>& vertices, const PlacedInstance& placed,
-                          const glm::dvec3& weights, const Material& material, const SampledTexels& texels) {
+                          const glm::dvec3& geometric, const glm::dvec3& weights, const Material& material,
+                          const SampledTexels& texels) {
+    constexpr double kShortestMapped = 1e-4;  // steps of 1/255, filtered to less, point anywhere
     glm::dvec3 normal(0.0);
     for (int i = 0; i < 3; ++i)
         normal += weights[i] * unit_or_zero(placed.for_normals * glm::dvec3(vertices[i]->normal));
-    const glm::dvec3 unit = unit_or(normal, {0.0, 1.0, 0.0});
+    if (!(glm::length(normal) > kShortest)) normal = geometric;
+    const glm::dvec3 unit = glm::normalize(normal);
     if (material.normal_texture == kNoTexture) return unit;
+
+    glm::dvec3 mapped = 2.0 * glm::dvec3(texels.normal) - 1.0;
+    mapped.x *= static_cast<double>(material.normal_scale);
+    mapped.y *= static_cast<double>(material.normal_scale);
+    if (glm::length(mapped) < kShortestMapped) return unit;
 
     glm::dvec4 tangent(0.0);
     for (int i = 0; i < 3; ++i) {
@@ -95,13 +113,20 @@ glm::dvec3 shading_normal(const std::array<const Vertex*, 3>& vertices, const Pl
         const double handedness = placed.mirrored ? -vertices[i]->tangent.w : vertices[i]->tangent.w;
         tangent += weights[i] * glm::dvec4(along, handedness);
     }
-    return unit_or(mapped_normal(material, texels, normal, tangent), unit);
+    return unit_or(mapped_normal(mapped, normal, usable_tangent(normal, tangent)), unit);
 }
 
 // Counter-clockwise triangles face the viewer; a mirrored instance's are clockwise.
 bool seen_from_behind(const PlacedTriangle& t, const PlacedInstance& placed) {
     const double towards_eye = -glm::dot(glm::cross(t.edge1, t.edge2), t.corner);
     return (placed.mirrored ? -towards_eye : towards_eye) < 0.0;
+}
+
+// Of the triangle's front; up where it has no area.
+glm::dvec3 front_normal(const PlacedTriangle& t, const PlacedInstance& placed) {
+    const glm::dvec3 normal = unit_or_zero(glm::cross(t.edge1, t.edge2));
+    if (normal == glm::dvec3(0.0)) return {0.0, 1.0, 0.0};
+    return placed.mirrored ? -normal : normal;
 }
 
 ReferenceSurface with_material(const Material& material, const SampledTexels& texels) {
@@ -152,7 +177,8 @@ std::vector<ReferenceSurface> reference_surfaces(const Scene& scene, const Camer
 
         ReferenceSurface s = with_material(material, texels);
         s.position = point->position;
-        s.normal = shading_normal(vertices, instance, point->weights, material, texels);
+        s.normal =
+            shading_normal(vertices, instance, front_normal(triangle, instance), point->weights, material, texels);
         if (material.double_sided && seen_from_behind(triangle, instance)) s.normal = -s.normal;
         return s;
     };

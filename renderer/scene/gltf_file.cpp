@@ -2,6 +2,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/file.h"
+#include "renderer/base/json_reader.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@ namespace lightsweep {
 namespace {
 
 constexpr std::string_view kSupportedExtension = "KHR_mesh_quantization";
+constexpr uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 
 // The parser's messages may be many lines, and may hold a whole data URI.
 std::string one_line(std::string text) {
@@ -42,13 +44,15 @@ bool claim_existence(const std::string&, void*) { return true; }
 // chunk's own 8 bytes out when it checks where the last one ends, and so reads past it.
 void check_chunks(const GltfFile& file, std::string_view bytes) {
     for (size_t at = 12; at + 8 <= bytes.size();) {
-        uint32_t length = 0;
+        uint32_t length = 0, type = 0;
         std::memcpy(&length, bytes.data() + at, sizeof length);
+        std::memcpy(&type, bytes.data() + at + 4, sizeof type);
         at += 8;
         if (length > bytes.size() - at) {
             throw InputError(file.path, fmt::format("is cut off: a chunk of {} bytes begins at byte {} of {}", length,
                                                     at, bytes.size()));
         }
+        if (type == kJsonChunk) check_nesting(bytes.substr(at, length), file.path);
         at += length;
     }
 }
@@ -171,7 +175,11 @@ GltfFile open_gltf(const std::filesystem::path& path, std::vector<std::string>& 
     const bool binary = bytes.starts_with("glTF");
     const auto length = static_cast<unsigned int>(bytes.size());
     if (bytes.size() >= UINT32_MAX) throw InputError(file.path, "is larger than 4 GiB");
-    if (binary) check_chunks(file, bytes);
+    if (binary) {
+        check_chunks(file, bytes);
+    } else {
+        check_nesting(bytes, file.path);
+    }
 
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(keep_encoded, nullptr);

@@ -104,6 +104,8 @@ class InstanceReader {
         const Pose pose = read_pose(json);
         const auto member = json.find("grid");
         const Grid grid = member ? read_grid(*member) : Grid{};
+        copies_ += int64_t{grid.count.x} * grid.count.y * grid.count.z;
+        if (copies_ > kMostInstances) json.fail(fmt::format("the scene has more than {} instances", kMostInstances));
         if (is_gltf) {
             read_gltf(json, pose, grid);
         } else {
@@ -152,8 +154,10 @@ class InstanceReader {
     // The glTF file that `json` names, read once.
     const GltfModel& gltf(const JsonReader& json) {
         const auto path = json.file().parent_path() / json.string();
-        if (!std::filesystem::exists(path)) json.fail(fmt::format("there is no file {}", path.string()));
-        const auto [found, is_new] = models_.try_emplace(std::filesystem::canonical(path).string());
+        std::error_code failed;
+        const auto file = std::filesystem::canonical(path, failed);
+        if (failed) json.fail(fmt::format("there is no file {}", path.string()));
+        const auto [found, is_new] = models_.try_emplace(file.string());
         if (is_new) found->second = append_gltf(path, scene_);
         return found->second;
     }
@@ -228,6 +232,7 @@ class InstanceReader {
     const std::map<std::string, Material>& materials_;
     const std::map<std::string, Geometry>& shapes_;
     Scene& scene_;
+    int64_t copies_ = 0;  // of all instances so far
     std::map<std::string, GltfModel> models_;
     std::map<std::string, Mesh> shape_meshes_;
     std::map<std::tuple<std::string, float, float>, uint32_t> material_indices_;

@@ -70,7 +70,8 @@ class TextureReader {
     static Texture read_image(const JsonReader& json, bool srgb) {
         const std::string name = json.string();
         const auto path = json.file().parent_path() / name;
-        if (!std::filesystem::exists(path)) json.fail(fmt::format("there is no file {}", path.string()));
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) json.fail(fmt::format("there is no file {}", path.string()));
         return decode_image(read_file(path), name, srgb, path.string());
     }
 

@@ -54,8 +54,9 @@ std::pair<size_t, JsonReader> read_variant(const JsonReader& json, std::string_v
     return {static_cast<size_t>(found - names.begin()), member};
 }
 
-Scene read_scene_json(const std::filesystem::path& file) {
-    const JsonReader json = JsonReader::from_file(file);
+Scene read_scene_json(const std::filesystem::path& file) { return read_scene_json(JsonReader::from_file(file)); }
+
+Scene read_scene_json(const JsonReader& json) {
     json.allow_keys({"summary", "materials", "shapes", "instances", "camera", "lights", "ambient", "background"});
     Scene scene;
     scene.summary = json.at("summary").string();

@@ -12,6 +12,8 @@ namespace lightsweep {
 /// Reads a whole scene file; key and content_hash are left to the caller. Throws InputError with file, JSON pointer and
 /// what is allowed for everything the format does not say.
 Scene read_scene_json(const std::filesystem::path& file);
+/// The same of a document read already; files that it names lie beside the document's own.
+Scene read_scene_json(const JsonReader& json);
 
 /// The parts of it, each in a file of its own. Coordinates and lengths are kept below this, so that no product of them
 /// leaves the range of a float.

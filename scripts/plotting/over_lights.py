@@ -146,9 +146,11 @@ def draw_evaluations(report, scene, cells, paths):
 
 
 def _ratios(report, cells):
-    """{arm: points}: each arm's time over that of the forward arm of the same HDR format and skips, from the report's pairs."""
+    """{arm: points}: each arm's time over that of the forward arm of the same HDR format, skips, guards and sums, from the
+    report's pairs."""
     def rival(params):
-        return params["hdr"], data.arm_of(params).skip
+        arm = data.arm_of(params)
+        return arm.hdr, arm.skip, arm.guards, arm.sums
 
     cell_of = {cell["id"]: cell for cell in cells}
     series = {}

@@ -8,6 +8,8 @@ SCHEMA = "lightsweep-report-2"
 PARTS = {"run": dict, "environment": dict, "timer": dict, "noise": dict, "cells": list, "pairs": list,
          "crossovers": list, "pareto": list}
 EVERY_SKIP = "all"
+GUARDED = "on"
+PLAIN_SUMS = "plain"
 
 
 class ReportError(Exception):
@@ -22,6 +24,8 @@ class Arm(NamedTuple):
     hdr: str
     light_lists: str | None = None
     skip: str = EVERY_SKIP
+    guards: str = GUARDED
+    sums: str = PLAIN_SUMS
 
 
 class Panel(NamedTuple):
@@ -37,13 +41,17 @@ class Panel(NamedTuple):
         return f"{self.width_px}\u00d7{self.height_px}{regime}"
 
 
-def load(path):
+def read_json(path):
     try:
-        report = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     except OSError as error:
         raise ReportError(f"{path}: {error.strerror}") from error
     except ValueError as error:
         raise ReportError(f"{path}: not JSON: {error}") from error
+
+
+def load(path):
+    report = read_json(path)
     if not isinstance(report, dict) or report.get("schema") != SCHEMA:
         found = report.get("schema") if isinstance(report, dict) else None
         raise ReportError(f"{path}:/schema: '{SCHEMA}' was expected, not {json.dumps(found)}; measure again")
@@ -59,7 +67,13 @@ def name_of(value):
 
 
 def arm_of(params):
-    return Arm(params["path"], params["layout"], params["hdr"], params.get("light_lists"), params.get("skip", EVERY_SKIP))
+    return Arm(params["path"], params["layout"], params["hdr"], params.get("light_lists"), params.get("skip", EVERY_SKIP),
+               params.get("guards", GUARDED), params.get("sums", PLAIN_SUMS))
+
+
+def switches_of(arm):
+    """The words that tell an arm from the same one with every default: none for most."""
+    return ["unguarded"] * (arm.guards != GUARDED) + [f"{arm.sums} sums"] * (arm.sums != PLAIN_SUMS)
 
 
 def panel_of(params):
@@ -171,5 +185,6 @@ def arm_names(arms):
             words.append(arm.hdr)
         if several_skips:
             words.append(f"skip {arm.skip}")
+        words += switches_of(arm)
         names[arm] = ", ".join(words)
     return names

@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot, ticker  # noqa: E402  (the backend comes first)
 
-from .report import EVERY_SKIP  # noqa: E402
+from .report import EVERY_SKIP, switches_of  # noqa: E402
 
 # Okabe and Ito, "Color Universal Design", 2008. Their yellow is too light for a line on white, their black too heavy for a bar.
 _HUES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
@@ -66,12 +66,14 @@ def _all_different(paths, table, choices):
 
 
 class ArmStyles:
-    """Colour by path; a marker for each arm; the line by layout, light lists, HDR format and skips where they differ, else by the
-    path's family. The colours go by `paths`, which all the pictures of a report share; the rest tells the `arms` of one apart."""
+    """Colour by path; a marker for each arm; the line by layout, light lists, HDR format, skips, guards and sums where they
+    differ, else by the path's family. The colours go by `paths`, which all the pictures of a report share; the rest tells the `arms` of
+    one apart."""
 
     def __init__(self, paths, arms):
         arms = list(dict.fromkeys(arms))
-        variants = list(dict.fromkeys(self._variant(arm) for arm in arms if arm.layout or arm.skip != EVERY_SKIP))
+        variants = list(dict.fromkeys(self._variant(arm) for arm in arms
+                                      if arm.layout or arm.skip != EVERY_SKIP or switches_of(arm)))
         several = len(arms) > len({arm.path for arm in arms})
         self._color = _all_different(paths, PATH_COLORS, LINE_COLORS)
         self._line = {variant: LINES[i % len(LINES)] for i, variant in enumerate(variants)} if several else None
@@ -80,7 +82,7 @@ class ArmStyles:
 
     @staticmethod
     def _variant(arm):
-        return arm.layout, arm.light_lists, arm.hdr, arm.skip
+        return arm.layout, arm.light_lists, arm.hdr, arm.skip, arm.guards, arm.sums
 
     def color(self, arm):
         return self._color[arm.path]
@@ -99,21 +101,31 @@ def _footer(report):
     """Where the numbers come from: no picture goes without."""
     environment, run = report["environment"], report["run"]
     commit = f" ({run['git_commit'][:10]})" if run["git_commit"] else ""
-    floor = report["noise"]["floor"]
-    noise = "unknown" if floor is None else f"{100 * floor:.1f} %"
-    return (f"{environment['gl_renderer']} on {environment['cpu']}, {environment['cores']} cores  |  "
-            f"timer: {report['timer']['method']}  |  noise floor: {noise}  |  intervals: 95 %  |  "
-            f"lightsweep {run['version']}{commit}")
+    parts = [f"{environment['gl_renderer']} on {environment['cpu']}, {environment['cores']} cores"]
+    if "timer" in report:  # a stress run times nothing
+        floor = report["noise"]["floor"]
+        noise = "unknown" if floor is None else f"{100 * floor:.1f} %"
+        parts += [f"timer: {report['timer']['method']}", f"noise floor: {noise}", "intervals: 95 %"]
+    return "  |  ".join([*parts, f"lightsweep {run['version']}{commit}"])
 
 
-def panel_grid(report, title, columns, width_in, height_in, rows=1):
-    """A figure of that height with `columns` axes of that width side by side, in so many rows, as a list."""
+def panel_grid(report, title, columns, width_in, height_in, rows=1, heights=None):
+    """A figure of that height with `columns` axes of that width side by side, in so many rows, as a list. `heights`: of the rows,
+    in proportion."""
     width = max(width_in * columns, MIN_WIDTH_IN)
-    figure, axes = pyplot.subplots(rows, columns, figsize=(width, height_in), squeeze=False, layout="constrained")
+    figure, axes = pyplot.subplots(rows, columns, figsize=(width, height_in), squeeze=False, layout="constrained",
+                                   height_ratios=heights)
     figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
     letters = int(width * 72 / (0.54 * FOOTER_POINTS))
     figure.supxlabel(textwrap.fill(_footer(report), letters), fontsize=FOOTER_POINTS, color=FAINT, x=0.01, ha="left")
     return figure, list(axes.flat)
+
+
+def legend_below_title(figure, handles, title_lines=1):
+    """In one line, in the room that a title's last line, left empty, keeps."""
+    top = 1 - 0.2 * title_lines / figure.get_figheight()
+    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.005, top), ncols=len(handles), fontsize=7.5,
+                  handlelength=1.6, columnspacing=1.2)
 
 
 def save(figure, folder, name):

@@ -102,8 +102,8 @@ def _panel(axes, cells, metric, styles, states):
         axes.errorbar([time[0]], [error[0]], xerr=[[time[0] - time[1]], [time[2] - time[0]]],
                       yerr=[[max(0, error[0] - error[1])], [max(0, error[2] - error[0])]], elinewidth=0.8, linestyle="none",
                       color=styles.color(arm), marker=styles.marker(arm), **LOOKS[states[cell["id"]]])
-        text = data.name_of(arm.layout) if arm.layout else arm.path
-        labels.append((time, error, f"{text}, {arm.hdr}" if several_hdr else text, styles.color(arm)))
+        words = [data.name_of(arm.layout) if arm.layout else arm.path] + [arm.hdr] * several_hdr + data.switches_of(arm)
+        labels.append((time, error, ", ".join(words), styles.color(arm)))
     axes.plot([points[index][0][0] for index in front], [points[index][1][0] for index in front], drawstyle="steps-post",
               color="black", linewidth=1, linestyle="--", zorder=2.5)
     style.log_axis(axes.xaxis, min(time[1] for time, _ in points), max(time[2] for time, _ in points))

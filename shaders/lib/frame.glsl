@@ -5,7 +5,9 @@
 layout(std140, binding = kFrameBlock) uniform FrameBlock { FrameData frame; };
 
 // Distance along the view axis; the inverse of the projection's depth row (see camera_projection in renderer/frame).
-float view_distance(float depth) { return frame.depth_scale / (depth + frame.depth_offset); }
+// Depth counts from the far plane, where standard depths crowd: the difference is exact. From zero the offset would be
+// -f / (f - n), which rounds to -1 when far is 2^24 times as far as near, and divides by zero.
+float view_distance(float depth) { return frame.depth_scale / ((depth - frame.depth_clear) + frame.depth_offset); }
 
 // From the eye through `frag_coord`, one unit long along the view axis.
 vec3 pixel_ray(vec2 frag_coord) {

@@ -1,5 +1,6 @@
 // An instance's transform, for the vertex shader and for passes that fetch vertices themselves.
 #include "lib/frame.glsl"
+#include "lib/safe_normalize.glsl"
 
 layout(binding = kInstanceUnit) uniform samplerBuffer instance_texels;
 
@@ -20,13 +21,15 @@ vec3 instance_origin(InstanceData i) {
 // A difference of two points of the mesh, in the world.
 vec3 to_world(InstanceData i, vec3 v) { return i.axis_x.xyz * v.x + i.axis_y.xyz * v.y + i.axis_z.xyz * v.z; }
 
+// Zero where the transform leaves a normal no direction: a singular one flattens what is round. The vertices beside it
+// then have the say.
 vec3 world_normal(InstanceData i, vec3 normal) {
-    return normalize(i.normal_x.xyz * normal.x + i.normal_y.xyz * normal.y + i.normal_z.xyz * normal.z);
+    return safe_normalize(i.normal_x.xyz * normal.x + i.normal_y.xyz * normal.y + i.normal_z.xyz * normal.z, vec3(0.0));
 }
 
 vec4 world_tangent(InstanceData i, vec4 tangent) {
-    vec3 along = to_world(i, tangent.xyz);
-    // A mirrored instance turns the bitangent round with it.
-    float mirror = dot(cross(i.axis_x.xyz, i.axis_y.xyz), i.axis_z.xyz) < 0.0 ? -1.0 : 1.0;
-    return vec4(dot(along, along) > 0.0 ? normalize(along) : vec3(1.0, 0.0, 0.0), tangent.w * mirror);
+    // A mirrored instance turns the bitangent round with it. The columns for normals have at most unit size, whatever
+    // the scale: of the axes themselves, the triple product leaves the range of floats beyond 1e12 and below 1e-15.
+    float mirror = dot(cross(i.normal_y.xyz, i.normal_z.xyz), i.axis_x.xyz) < 0.0 ? -1.0 : 1.0;
+    return vec4(safe_normalize(to_world(i, tangent.xyz), vec3(1.0, 0.0, 0.0)), tangent.w * mirror);
 }

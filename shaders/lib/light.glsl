@@ -1,4 +1,5 @@
 // One light at one point: where it comes from and how much arrives. Every path calls this.
+#include "lib/guards.glsl"
 #include "shared/slots.h"
 #include "shared/types.h"
 
@@ -23,15 +24,17 @@ const float kMinDistanceSquared = 1e-4;
 Incident directional_light(LightData light) { return Incident(-light.direction, light.color); }
 
 // Inverse square times a window that is exactly zero at the radius (Karis 2013, "Real Shading in Unreal Engine 4",
-// with the smooth window squared), so that culling at the radius loses nothing.
+// with the smooth window squared), so that culling at the radius loses nothing. Of a point at the light, no direction:
+// zero, which no surface faces. The radius is one whose square is a finite number above 0 (collect_lights).
 Incident local_light(LightData light, vec3 position) {
     vec3 to_light = light.position - position;
     float distance_squared = dot(to_light, to_light);
-    float inverse_distance = inversesqrt(max(distance_squared, 1e-20));
+    float inverse_distance = inversesqrt(GUARDED(max(distance_squared, 1e-20), distance_squared));
     vec3 direction = to_light * inverse_distance;
     float ratio = distance_squared / (light.radius * light.radius);
     float window = max(1.0 - ratio * ratio, 0.0);
-    float attenuation = window * window / max(distance_squared, kMinDistanceSquared);
+    // One factor for all channels: a capped light keeps its hue.
+    float attenuation = window * window / GUARDED(max(distance_squared, kMinDistanceSquared), distance_squared);
 #ifdef HAS_SPOT_LIGHTS
     float spot = clamp(dot(-direction, light.direction) * light.spot_scale + light.spot_offset, 0.0, 1.0);
     attenuation *= spot * spot;

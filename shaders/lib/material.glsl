@@ -1,4 +1,5 @@
 // From a fragment of a mesh to its Surface: factors times textures, normal map, alpha mask. HAS_* come from SceneNeeds.
+#include "lib/safe_normalize.glsl"
 #include "lib/surface.glsl"
 #include "shared/slots.h"
 #include "shared/types.h"
@@ -18,13 +19,17 @@ layout(binding = kNormalUnit) uniform sampler2D normal_texture;
 layout(binding = kEmissiveUnit) uniform sampler2D emissive_texture;
 #endif
 
-// The filtered texel at `uv`. GL finds the mip level from neighbouring fragments: of the same triangle where meshes are
-// drawn, but not in a full-screen pass, which says with MATERIAL_GRADIENTS that it sets `uv_per_pixel`.
+// The filtered texel at `uv`, and which way the triangle faces: towards the eye, of any length. GL finds the mip level
+// from neighbouring fragments: of the same triangle where meshes are drawn, but not in a full-screen pass, which says
+// with MATERIAL_GRADIENTS that it sets `uv_per_pixel` and `triangle_normal`.
 #ifdef MATERIAL_GRADIENTS
 mat2 uv_per_pixel;  // columns: the difference to the next pixel in x, in y
+vec3 triangle_normal;
 vec4 sample_material(sampler2D map, vec2 uv) { return textureGrad(map, uv, uv_per_pixel[0], uv_per_pixel[1]); }
+vec3 facing_normal(vec3 position) { return triangle_normal; }
 #else
 vec4 sample_material(sampler2D map, vec2 uv) { return texture(map, uv); }
+vec3 facing_normal(vec3 position) { return cross(dFdx(position), dFdy(position)); }
 #endif
 
 // Discards what nobody sees: what the alpha mask cuts away, and, with KEEPS_BACK_FACES, where the rasteriser culls
@@ -38,23 +43,49 @@ void discard_unseen(vec2 uv) {
 #endif
 }
 
-// Unit length for any finite vector that is not tiny; `fallback` for the rest.
-vec3 safe_normalize(vec3 v, vec3 fallback) {
-    float length_squared = dot(v, v);
-    return length_squared > 1e-16 ? v * inversesqrt(length_squared) : fallback;
+// Interpolated normals shorter than this have cancelled out.
+const float kShortestNormal = 1e-8;
+// A normal map's vector shorter than this, filtered from texels in steps of 1/255, points anywhere.
+const float kShortestMapped = 1e-4;
+// A tangent at a smaller angle to the normal than this has no direction across it.
+const float kSmallestSine = 1e-3;
+
+// `normal`, or the triangle's own, where the vertices say nothing: they cancel out, are zero or not finite.
+vec3 usable_normal(vec3 normal, vec3 position, bool front_facing) {
+    vec3 facing = facing_normal(position);
+    if (dot(normal, normal) > kShortestNormal * kShortestNormal) return normal;  // NaN is not above
+    return safe_normalize(front_facing ? facing : -facing, vec3(0.0, 1.0, 0.0));
+}
+
+// `tangent`, or any across the normal, of the same handedness, where it has no such direction: it is zero, not finite,
+// or along the normal.
+vec4 usable_tangent(vec3 normal, vec4 tangent) {
+    vec3 turned = cross(normal, tangent.xyz);
+    float least = kSmallestSine * kSmallestSine * dot(normal, normal) * dot(tangent.xyz, tangent.xyz);
+    if (dot(turned, turned) * tangent.w * tangent.w > least) return tangent;
+    // The normal's part in the plane of y and the larger of x and z, a quarter turned (Hughes and Moeller 1999).
+    vec3 across = abs(normal.x) > abs(normal.z) ? vec3(-normal.y, normal.x, 0.0) : vec3(0.0, -normal.z, normal.y);
+    return vec4(safe_normalize(across, vec3(1.0, 0.0, 0.0)), tangent.w < 0.0 ? -1.0 : 1.0);
+}
+
+// Of a normal map's vector, in the world, unit (glTF 2.0, 3.9.3: bitangent = cross(normal, tangent) * w). Normal and
+// tangent come interpolated and are left unnormalised as MikkTSpace asks. `fallback` where the map says nothing.
+vec3 from_tangent_space(vec3 mapped, vec3 normal, vec4 frame_tangent, vec3 fallback) {
+    vec4 tangent = GUARDED(usable_tangent(normal, frame_tangent), frame_tangent);
+    vec3 bitangent = cross(normal, tangent.xyz) * tangent.w;
+    vec3 bent = safe_normalize(mapped.x * tangent.xyz + mapped.y * bitangent + mapped.z * normal, fallback);
+    return GUARDED(dot(mapped, mapped) > kShortestMapped * kShortestMapped ? bent : fallback, bent);
 }
 
 Surface evaluate_material(vec3 position, vec3 normal, vec4 tangent, vec2 uv, bool front_facing) {
     Surface s;
     s.position = position;
-    // A triangle whose normals cancel out faces the viewer: shading it stays finite.
+    normal = GUARDED(usable_normal(normal, position, front_facing), normal);
     s.normal = safe_normalize(normal, vec3(0.0, 1.0, 0.0));
 #ifdef HAS_NORMAL_TEXTURE
-    // glTF 2.0, 3.9.3: tangent space, bitangent = cross(normal, tangent) * w. Left unnormalised as MikkTSpace asks.
     vec3 mapped = sample_material(normal_texture, uv).xyz * 2.0 - 1.0;
     mapped.xy *= material.normal_scale;
-    vec3 bitangent = cross(normal, tangent.xyz) * tangent.w;
-    s.normal = safe_normalize(mapped.x * tangent.xyz + mapped.y * bitangent + mapped.z * normal, s.normal);
+    s.normal = from_tangent_space(mapped, normal, tangent, s.normal);
 #endif
 #ifdef HAS_DOUBLE_SIDED
     if (!front_facing) s.normal = -s.normal;

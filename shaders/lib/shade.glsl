@@ -2,18 +2,40 @@
 // summed as lobes, and the material weighs the sums once (shorter loops than to weigh each light).
 #include "lib/brdf.glsl"
 #include "lib/frame.glsl"
+#include "lib/guards.glsl"
 #include "lib/light.glsl"
 #ifdef LIGHT_GRID
 #include "lib/light_list.glsl"
 #endif
 
-vec3 view_direction(Surface s) { return normalize(-s.position); }
+// Zero for a surface at the eye itself.
+vec3 view_direction(Surface s) { return unit_or_zero(-s.position); }
 
+#ifdef COMPENSATED_SUMS
+// Kahan 1965, "Further Remarks on Reducing Truncation Errors": what an addition rounds off is taken from the next term.
+// An addition that overflows has rounded nothing off that could be named.
+void add(vec3 term, inout vec3 sum, inout vec3 excess) {
+    precise vec3 owed = term - excess;
+    precise vec3 next = sum + owed;
+    precise vec3 rounding = (next - sum) - owed;
+    excess = mix(rounding, vec3(0.0), isinf(next));
+    sum = next;
+}
+#endif
+
+// With COMPENSATED_SUMS the error of a sum does not grow with its length. That is for sums in registers: paths that
+// blend one light after another add in the target's format, which holds no remainder.
 void add_light(Surface s, vec3 v, Incident incident, inout LobeSums sums) {
     Lobes lobes = light_lobes(s.normal, s.roughness, s.model, v, incident.direction);
+#ifdef COMPENSATED_SUMS
+    add(incident.irradiance * lobes.diffuse, sums.diffuse, sums.diffuse_excess);
+    add(incident.irradiance * lobes.f0, sums.f0, sums.f0_excess);
+    add(incident.irradiance * lobes.f90, sums.f90, sums.f90_excess);
+#else
     sums.diffuse += incident.irradiance * lobes.diffuse;
     sums.f0 += incident.irradiance * lobes.f0;
     sums.f90 += incident.irradiance * lobes.f90;
+#endif
 }
 
 // One point or spot light. Nothing is computed where it does not reach.

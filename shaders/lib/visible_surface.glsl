@@ -97,6 +97,7 @@ Surface visible_surface(vec2 frag_coord, uint instance, uint triangle, InstanceM
     tangent = tangent0 + w.x * (world_tangent(placed, v1.tangent) - tangent0) +
               w.y * (world_tangent(placed, v2.tangent) - tangent0);
 #endif
+    triangle_normal = facing < 0.0 ? plane.normal : -plane.normal;
     // Counter-clockwise triangles face the eye; a mirrored instance's are clockwise.
     return evaluate_material(z * ray, normal, tangent, uv, (facing < 0.0) != mesh.mirrored);
 }

@@ -11,6 +11,7 @@ layout(std430, binding = kLightCellBuffer) writeonly buffer Cells { uvec2 cells[
 layout(std430, binding = kLightIndexBuffer) writeonly buffer Indices { uint indices[]; };
 layout(std430, binding = kWantedBuffer) buffer Wanted {
     uint wanted, wanted_carry;  // room for all lists, a number of 64 bits
+    uint lists_cut;             // a driver ended a loop before its end
 };
 
 // Of a cell; where both have bits, a light may touch it.
@@ -26,11 +27,12 @@ uint common_bits(Rows rows, uint word) {
 uint common_words(Rows rows, uint group) { return common_bits(rows, light_grid.word_count + group); }
 
 uint count_common(Rows rows) {
-    uint count = 0u;
-    for (uint group = 0u; group < summary_words(light_grid); ++group) {
-        for (uint words = common_words(rows, group); words != 0u; words &= words - 1u)
+    uint count = 0u, group = 0u, words = 0u;
+    for (; group < summary_words(light_grid); ++group) {
+        for (words = common_words(rows, group); words != 0u; words &= words - 1u)
             count += uint(bitCount(common_bits(rows, group * 32u + uint(findLSB(words)))));
     }
+    if (group < summary_words(light_grid) || words != 0u) lists_cut = 1u;
     return count;
 }
 
@@ -45,10 +47,10 @@ uint reserve(inout uint count) {
 
 // Returns where the list ends.
 uint write_list(Rows rows, CellBounds cell, uint begin) {
-    uint end = begin;
-    for (uint group = 0u; group < summary_words(light_grid); ++group) {
-        uint words = common_words(rows, group);
-        uint word = 0u, bits = 0u;
+    uint end = begin, group = 0u, words = 0u, bits = 0u;
+    for (; group < summary_words(light_grid); ++group) {
+        words = common_words(rows, group);
+        uint word = 0u;
         while (true) {
             // The search is a loop of its own: software drivers skip loops but not branches, and a test costs more.
             while (bits == 0u && words != 0u) {
@@ -62,6 +64,7 @@ uint write_list(Rows rows, CellBounds cell, uint begin) {
             if (light_touches_cell(bounds_at(light), cell)) indices[end++] = frame.directional_count + light;
         }
     }
+    if (group < summary_words(light_grid) || words != 0u || bits != 0u) lists_cut = 1u;
     return end;
 }
 

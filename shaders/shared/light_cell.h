@@ -31,7 +31,8 @@ struct CellBounds {
 };
 
 LIGHTSWEEP_INLINE uint slice_of(LightGridData grid, float z) {
-    float slice = floor(log2(max(z, 1e-20F)) * grid.slice_scale + grid.slice_offset);
+    // In this order, max takes the number where z is none.
+    float slice = floor(log2(max(1e-20F, z)) * grid.slice_scale + grid.slice_offset);
     return uint(clamp(slice, 0.0F, float(grid.slices - 1U)));
 }
 

@@ -16,11 +16,11 @@ using uint = uint32_t;
 struct FrameData {
     mat4 clip_from_world;     // camera-relative world to clip
     vec3 camera_high;         // the camera's world position is camera_high + camera_low
-    float depth_scale;        // view distance z = depth_scale / (depth + depth_offset), for both conventions
+    float depth_scale;        // view distance z = depth_scale / (depth - depth_clear + depth_offset)
     vec3 camera_low;
     float depth_offset;
     vec3 ray_right;           // position = z * (ndc.x * ray_right + ndc.y * ray_up + ray_forward)
-    float depth_clear;        // the depth where no surface is
+    float depth_clear;        // the depth where no surface is, and at the far plane
     vec3 ray_up;
     uint directional_count;   // lights [0, directional_count) are directional,
     vec3 ray_forward;

@@ -275,6 +275,15 @@ class Plot(unittest.TestCase):
         looks = style.ArmStyles(["forward"], arms)
         self.assertNotEqual(looks.line(arms[0]), looks.line(arms[1]))
 
+    def test_arms_that_differ_in_guards_or_sums_alone_are_told_apart(self):
+        params = {"path": "forward", "layout": None, "hdr": HDR}
+        arms = [data.arm_of(params | more) for more in ({}, {"guards": "off"}, {"sums": "compensated"})]
+        self.assertEqual(arms[0], data.arm_of(params | {"guards": "on", "sums": "plain"}), "reports of before have neither")
+        self.assertEqual(list(data.arm_names(arms).values()), ["forward", "forward, unguarded", "forward, compensated sums"])
+        looks = style.ArmStyles(["forward"], arms)
+        lines = [tuple(looks.line(arm)[key] for key in ("linestyle", "marker")) for arm in arms]
+        self.assertEqual(len(set(lines)), len(arms))
+
     def test_every_path_of_a_sweep_looks_its_own_way(self):
         paths = [*style.PATH_COLORS, "mine", "mine_too"]
         for arms in ([data.Arm(path, None, HDR) for path in paths], [data.Arm("deferred", layout, HDR) for layout in "abc"]):

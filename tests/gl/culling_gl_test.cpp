@@ -325,7 +325,8 @@ TEST(TileDepth, WithBackgroundATileWithAHoleIsEndless) {
             const bool hole = tile == 7 || (tile % 3 == 0 && x % kTile == tile % kTile && y % kTile == 2);
             const auto z = static_cast<float>(random.uniform(1.0, 50.0));
             distances[static_cast<size_t>(y * kPictureWidth + x)] = hole ? kNothing : z;
-            const float depth = hole ? frame.data.depth_clear : frame.data.depth_scale / z - frame.data.depth_offset;
+            const float from_far = hole ? 0.0F : frame.data.depth_scale / z - frame.data.depth_offset;
+            const float depth = frame.data.depth_clear + from_far;
             texels.insert(texels.end(), {depth, 0.0F, 0.0F, 0.0F});
         }
     }

@@ -2,6 +2,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "renderer/frame/light_list_service.h"
+#include "renderer/gl/context.h"
 #include "renderer/gl/draw.h"
 #include "renderer/gl/framebuffer.h"
 #include "renderer/gl/state.h"
@@ -248,9 +249,28 @@ TEST(LightLists, SaysWhichLimitIsTooSmall) {
     }
 }
 
+// A driver that ends long loops would lose the last lights of a list, without a word: neither may the compute shader
+// write such a list, nor may shading walk it.
+TEST(LightLists, RefuseToBeLongerThanShadersLoop) {
+    const auto rounds = static_cast<size_t>(gl::Context::current()->limits().max_loop_rounds);
+    if (rounds > 1'000'000) GTEST_SKIP() << "this device ends no loop";
+    // Two in three are points, and each of those reaches all that is seen.
+    const LitFrame lit(8, 8, random_lights(2 * rounds, 0.1, 10'000.0, 3));
+    for (const ListBuilder builder : {ListBuilder::cpu, ListBuilder::compute}) {
+        LightListService service({.tile_px = 16}, builder, 0.0);
+        try {
+            service.build(lit.frame, nullptr);
+            while (service.grow_if_cut_short()) service.build(lit.frame, nullptr);
+            ADD_FAILURE() << list_builder_names()[static_cast<size_t>(builder)] << ": not refused";
+        } catch (const EnvironmentError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("max_loop_rounds"));
+        }
+    }
+}
+
 // The depth of a surface at the view distance z; see camera_projection.
 float depth_at(const shared::FrameData& data, double z) {
-    return static_cast<float>(double{data.depth_scale} / z - double{data.depth_offset});
+    return static_cast<float>(double{data.depth_scale} / z - double{data.depth_offset} + double{data.depth_clear});
 }
 
 TEST(LightLists, TilesEndWhereTheirSurfacesDo) {

@@ -6,6 +6,8 @@
 //
 // Kaplanyan looks the length up in a cube map made beforehand; the search needs no table and fits every format. It costs
 // two thirds of a channel's positive values in steps: 86 with 8 bits, 342 with 10.
+#include "lib/safe_normalize.glsl"
+
 vec3 encode_best_fit(vec3 n, vec3 grid_step, vec3 grid_offset) {
     vec3 size = abs(n);
     // Everything on one grid: the channels of a layout have the same bits, or the largest step serves.
@@ -31,4 +33,5 @@ vec3 encode_best_fit(vec3 n, vec3 grid_step, vec3 grid_offset) {
     return clamp(best, -1.0, 1.0);
 }
 
-vec3 decode_best_fit(vec3 e) { return normalize(e); }
+// As decode_xyz.
+vec3 decode_best_fit(vec3 e) { return safe_normalize(e, vec3(0.0, 0.0, 1.0)); }

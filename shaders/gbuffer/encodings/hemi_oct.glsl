@@ -4,13 +4,15 @@
 // domain: hemisphere
 // summary: the octahedral map's half that faces the pixel's eye ray, turned by 45 degrees to fill the square; the rest is clamped
 // source: Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2), listing 3 (hemi-oct)
+#include "lib/guards.glsl"
 #include "lib/pixel_axes.glsl"
 
 vec2 encode_hemi_oct(vec3 n, ivec2 pixel) {
     vec3 v = n * world_from_pixel(pixel);  // by the transpose, its inverse
     v.z = max(v.z, 0.0);
-    // 1e-12: straight away from the eye nothing is left of v.
-    vec2 p = v.xy / max(abs(v.x) + abs(v.y) + v.z, 1e-12);
+    // Straight away from the eye nothing is left of v.
+    float size = abs(v.x) + abs(v.y) + v.z;
+    vec2 p = v.xy / GUARDED(max(size, 1e-12), size);
     return vec2(p.x + p.y, p.x - p.y);
 }
 

@@ -5,12 +5,14 @@
 // source: Mavridis and Papaioannou 2012, "The Compact YCoCg Frame Buffer", JCGT 1(1): YCoCg, checkerboard, edge-directed filter
 //
 // On square roots (gamma2), so that luma's steps suit the eye. Chroma is in [-1/2, 1/2] and stored times two.
+#include "lib/guards.glsl"
+
 const float kLumaEdge = 30.0 / 255.0;  // the paper's: a neighbour whose luma differs more is across an edge
 
 bool stores_orange(ivec2 pixel) { return ((pixel.x ^ pixel.y) & 1) == 0; }
 
 vec2 encode_ycocg(vec3 c, ivec2 pixel) {
-    vec3 e = sqrt(max(c, vec3(0.0)));
+    vec3 e = sqrt(GUARDED(max(c, vec3(0.0)), c));
     float orange = e.r - e.b, green = e.g - 0.5 * (e.r + e.b);
     return vec2(0.25 * e.r + 0.5 * e.g + 0.25 * e.b, stores_orange(pixel) ? orange : green);
 }

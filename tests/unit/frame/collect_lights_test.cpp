@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace lightsweep {
 namespace {
 
@@ -23,6 +25,49 @@ TEST(CollectLights, DirectionalOnesComeFirstAndUselessOnesNever) {
     EXPECT_EQ(frame.data.light_count, 3U);
     EXPECT_EQ(frame.work.lights_drawn, 3U);
     EXPECT_EQ(frame.work.lights_culled, 3U);
+}
+
+// What reaches nothing, and where nobody knows: no list could hold it, with culling or without.
+TEST(CollectLights, NoLightIsKeptWhosePlaceIsNoNumber) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+    const TestView view(plain_setup());
+    const Light light{.position = view.setup.camera.eye + 5.0 * view.forward, .radius = 2.0};
+    std::vector<Light> lights;
+    for (const double bad : {kNan, kInf, -kInf}) {
+        lights.push_back(light);
+        lights.back().position.y = bad;
+        lights.push_back(light);
+        lights.back().kind = LightKind::spot;
+        lights.back().direction.z = bad;
+        lights.push_back(lights.back());
+        lights.back().kind = LightKind::directional;
+    }
+    lights.push_back(light);
+    lights.back().radius = kNan;
+    FrameSetup setup = view.setup;
+    for (const SkipSet skips : {SkipSet::all(), SkipSet::none()}) {
+        setup.skips = skips;
+        const Frame frame = frame_of(setup, lights);
+        EXPECT_TRUE(frame.lights.empty());
+        EXPECT_EQ(frame.work.lights_culled, lights.size());
+    }
+    Light everywhere = light;
+    everywhere.radius = kInf;
+    EXPECT_EQ(frame_of(setup, {everywhere}).lights.size(), 1U) << "an infinite radius is one";
+    Light no_color = light;
+    no_color.color.g = kNan;
+    EXPECT_EQ(frame_of(setup, {no_color}).lights.size(), 1U) << "it shines on its own pixels";
+}
+
+TEST(CollectLights, NoIntensityOverflowsWhenItIsDividedByTheLeastSquare) {
+    const TestView view(plain_setup());
+    Light light{.position = view.setup.camera.eye + 5.0 * view.forward, .color = {1e300, -1e300, 7.0}, .radius = 2.0};
+    const auto color = [&] { return frame_of(view.setup, {light}).lights.at(0).color; };
+    EXPECT_TRUE(std::isfinite(color().r / 1e-4F) && color().r > 1e34F);
+    EXPECT_TRUE(std::isfinite(color().g / 1e-4F) && color().g < -1e34F);
+    EXPECT_EQ(color().b, 7.0F);
+    light.color.r = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(color().r)) << "not made a colour that nobody asked for";
 }
 
 // A light behind the eye whose range includes the eye.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace lightsweep {
 namespace {
 
@@ -162,6 +164,14 @@ TEST(ScreenRect, IsEmptyBehindAndBeside) {
     EXPECT_EQ(screen_rect(sphere({0.0F, 0.0F, -2.0F}, 1.0F), plain_setup()), PixelRect{});
     EXPECT_EQ(screen_rect(sphere({90.0F, 0.0F, 10.0F}, 1.0F), plain_setup()), PixelRect{});
     EXPECT_EQ(screen_rect(sphere({0.0F, -90.0F, 10.0F}, 1.0F), plain_setup()), PixelRect{});
+}
+
+TEST(ScreenRect, OfWhatIsNoNumberIsThePicture) {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+    const PixelRect all{0, 0, 320, 180};
+    EXPECT_EQ(screen_rect(sphere({0.0F, 0.0F, 5.0F}, kNan), plain_setup()), all);
+    EXPECT_EQ(screen_rect(sphere({kNan, kInf, 5.0F}, 1.0F), plain_setup()), all);
+    EXPECT_EQ(screen_rect(sphere({-kInf, kNan, 5.0F}, 1.0F), plain_setup()), all);
 }
 
 // At 90 degrees, 200x200 px: the slope s is at the pixel coordinate 100 + 100 s. A sphere of radius 3 around (0, 0, 5)

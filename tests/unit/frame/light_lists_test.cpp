@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 
 namespace lightsweep {
@@ -101,6 +102,18 @@ TEST_P(EveryGrid, NoLightThatReachesASurfaceIsLeftOut) {
         total.reached += result.reached;
     }
     EXPECT_GT(total.reached, 50'000) << "else the above says little";
+}
+
+TEST_P(EveryGrid, ALightWithoutAnEndIsInEveryList) {
+    const TestView view(plain_setup(64, 36));
+    for (const double radius : {1e15, 1e30, std::numeric_limits<double>::infinity()}) {
+        const Light light{.position = view.setup.camera.eye + glm::dvec3(3.0, -2.0, 1.0), .radius = radius};
+        const Frame frame = frame_of(view.setup, {light});
+        const Listed listed = list_lights(frame, GetParam());
+        for (size_t cell = 0; cell < cell_count(listed.grid); ++cell) {
+            EXPECT_EQ(lights_of_cell(listed.lists, cell).size(), 1U) << "radius " << radius << ", cell " << cell;
+        }
+    }
 }
 
 TEST_P(EveryGrid, ListsAreThoseOfTestingEveryCell) {

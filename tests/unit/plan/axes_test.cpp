@@ -39,6 +39,11 @@ TEST(Axes, lists_ranges_and_stars_stand_for_their_values) {
     EXPECT_THAT(values("light_lists", "*"), ElementsAre("cpu", "compute"));
     EXPECT_THAT(values("light_lists", "auto,cpu"), ElementsAre("auto", "cpu"));
     EXPECT_THAT(values("hdr", "*"), ElementsAre("rgba16f", "rgba32f", "r11g11b10f"));
+    EXPECT_THAT(values("guards", "*"), ElementsAre("on", "off"));
+    EXPECT_THAT(values("sums", "compensated,plain"), ElementsAre("compensated", "plain"));
+    EXPECT_THAT(values("sums", "*"), ElementsAre("plain", "compensated"));
+    EXPECT_THAT(default_axis_values(find_cell_field("guards"), test_catalog()), ElementsAre("on"));
+    EXPECT_THAT(default_axis_values(find_cell_field("sums"), test_catalog()), ElementsAre("plain"));
 }
 
 TEST(Axes, skips_are_sets_and_stars_turn_them_one_at_a_time) {
@@ -107,6 +112,10 @@ TEST(Axes, an_error_names_axis_value_nearest_name_and_what_is_allowed) {
     EXPECT_THAT(input_error([] { values("hdr", "rgba8"); }), AllOf(StartsWith("hdr=rgba8: "), HasSubstr("rgba32f")));
     EXPECT_THAT(input_error([] { values("light_lists", "gpu"); }),
                 AllOf(StartsWith("light_lists=gpu: "), HasSubstr("auto, cpu or compute")));
+    EXPECT_THAT(input_error([] { values("guards", "yes"); }),
+                AllOf(StartsWith("guards=yes: "), HasSubstr("on or off")));
+    EXPECT_THAT(input_error([] { values("sums", "kahan"); }),
+                AllOf(StartsWith("sums=kahan: "), HasSubstr("plain or compensated")));
     EXPECT_THAT(input_error([] { values("layout", ""); }), AllOf(StartsWith("layout: "), HasSubstr("a layout's key")));
 }
 

@@ -8,7 +8,9 @@ namespace lightsweep {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const CellParams kDeferred{.scene = "atrium",
                            .lights = 64,
@@ -67,6 +69,18 @@ TEST(Cell, name_says_what_is_skipped_unless_it_is_all) {
     EXPECT_EQ(parse_cell(kDeferred.name() + " skip=all").id(), kDeferred.id());
 }
 
+TEST(Cell, name_says_guards_and_sums_unless_they_are_the_defaults) {
+    EXPECT_EQ(parse_cell(kDeferred.name() + " guards=on sums=plain"), kDeferred)
+        << "names of before mean what they did";
+    EXPECT_THAT(switched(kDeferred), IsEmpty());
+    const CellParams bare = parse_cell(kDeferred.name() + " sums=compensated guards=off");
+    EXPECT_EQ(bare.name(), kDeferred.name() + " guards=off sums=compensated");
+    EXPECT_EQ(parse_cell(bare.name()), bare);
+    EXPECT_EQ(bare.group(), kDeferred.group()) << "the two are compared";
+    EXPECT_THAT(switched(bare), ElementsAre("guards=off", "sums=compensated"));
+    EXPECT_THAT(switched(parse_cell(kDeferred.name() + " skip=none")), ElementsAre("skip=none"));
+}
+
 TEST(Cell, a_set_that_is_none_is_refused_with_the_nearest_skip) {
     const auto refused = [](const std::string& value) {
         return input_error([&] { parse_cell(kDeferred.name() + " skip=" + value); });
@@ -107,8 +121,9 @@ TEST(Cell, parsing_a_name_gives_the_cell_back) {
 TEST(Cell, id_is_the_hash_of_the_name_and_differs_with_every_field) {
     EXPECT_EQ(kDeferred.id().size(), 16U);
     EXPECT_EQ(kDeferred.id(), CellParams(kDeferred).id());
-    for (const std::string changed : {"scene=cornell", "lights=65", "size=640x361", "overlap=fixed", "path=forward",
-                                      "layout=oct32", "light_lists=cpu", "hdr=rgba32f", "skip=none", "skip=auto"}) {
+    for (const std::string changed :
+         {"scene=cornell", "lights=65", "size=640x361", "overlap=fixed", "path=forward", "layout=oct32",
+          "light_lists=cpu", "hdr=rgba32f", "skip=none", "skip=auto", "guards=off", "sums=compensated"}) {
         CellParams cell = kDeferred;
         const size_t equals = changed.find('=');
         set_cell_field(cell, find_cell_field(changed.substr(0, equals)), changed.substr(equals + 1));

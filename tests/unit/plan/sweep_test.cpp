@@ -127,8 +127,19 @@ TEST(Sweep, a_bad_file_is_refused_with_the_place) {
     EXPECT_THROW(load_sweep("no_such_sweep", test_catalog()), InputError);
 }
 
+// A few lines may ask for more cells than memory holds.
+TEST(Sweep, too_many_cells_are_refused) {
+    std::string sizes;
+    for (int i = 1; i <= 400; ++i) sizes += (i > 1 ? ",1x" : "1x") + std::to_string(i);
+    const Sweep sweep = parse_sweep(R"({"summary": "s", "blocks": [{"scene": "atrium", "size": ")" + sizes +
+                                        R"(", "lights": "pow2:0:20", "skip": "all-*"}]})",
+                                    "a", test_catalog());
+    EXPECT_THAT(input_error([&] { sweep_cells(sweep, {}, test_catalog()); }), StartsWith("a:/blocks/0: "));
+}
+
 TEST(Sweep, shipped_sweeps_load_and_have_cells_of_known_names) {
     auto paths = test_catalog().paths;
+    paths.push_back({"forward_multipass"});
     paths.push_back({"deferred_clustered", true, true});
     const auto catalog = shipped_catalog(paths);
     const auto keys = resource_keys("bench/sweeps", ".json");

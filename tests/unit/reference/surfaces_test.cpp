@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace lightsweep {
 namespace {
@@ -81,14 +82,19 @@ TEST(Surfaces, VertexNormalsAreMadeUnitBeforeTheyAreInterpolated) {
     expect_vector(middle_surface(scene).normal, glm::normalize(sum));
 }
 
-TEST(Surfaces, NormalsThatCancelOutAreUp) {
-    Scene scene;
-    add_mesh(scene,
-             {vertex_at({-1, -1, 0}, {1, 0, 0}), vertex_at({3, -1, 0}, {-1, 0, 0}), vertex_at({-1, 3, 0}, {-1, 0, 0})},
-             {0, 1, 2});
-    EXPECT_EQ(middle_surface(scene).normal, glm::dvec3(0, 1, 0));
-    for (auto& vertex : scene.vertices) vertex.normal = glm::vec3(0.0F);
-    EXPECT_EQ(middle_surface(scene).normal, glm::dvec3(0, 1, 0));
+TEST(Surfaces, NormalsThatCancelOutAreTheTriangles) {
+    for (const bool mirrored : {false, true}) {
+        Scene scene;
+        add_mesh(
+            scene,
+            {vertex_at({-1, -1, 0}, {1, 0, 0}), vertex_at({3, -1, 0}, {-1, 0, 0}), vertex_at({-1, 3, 0}, {-1, 0, 0})},
+            {0, 1, 2}, glm::scale(glm::dmat4(1.0), {1, 1, mirrored ? -1 : 1}));
+        // Mirrored along its normal, the triangle stays where it is and shows its other side.
+        const glm::dvec3 front(0, 0, mirrored ? -1 : 1);
+        EXPECT_EQ(middle_surface(scene).normal, front);
+        for (auto& vertex : scene.vertices) vertex.normal = glm::vec3(0.0F);
+        EXPECT_EQ(middle_surface(scene).normal, front);
+    }
 }
 
 // --- Transforms ---
@@ -164,6 +170,25 @@ TEST(NormalMap, MirrorsWithItsInstance) {
     add_quad(scene, glm::scale(glm::dmat4(1.0), {-1, 1, 1}), {.name = "bumpy", .normal_texture = 0});
     expect_vector(middle_surface(scene, kFrontCamera, {texels_with({1, 0.5F, 0.5F})}).normal, {-1, 0, 0});
     expect_vector(middle_surface(scene, kFrontCamera, {texels_with({0.5F, 1, 0.5F})}).normal, {0, 1, 0});
+}
+
+TEST(NormalMap, BendsByItsAngleWhateverTheTangent) {
+    const glm::vec3 texel(0.75F, 0.5F, 1.0F);  // (1/2, 0, 1)
+    for (const glm::vec4& tangent : {glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 2, 1), glm::vec4(0, 0, -1, -1),
+                                     glm::vec4(std::numeric_limits<float>::quiet_NaN())}) {
+        Scene scene;
+        add_quad(scene, glm::dmat4(1.0), {.name = "bumpy", .normal_texture = 0});
+        for (auto& vertex : scene.vertices) vertex.tangent = tangent;
+        const glm::dvec3 normal = middle_surface(scene, kFrontCamera, {texels_with(texel)}).normal;
+        EXPECT_NEAR(normal.z, 1.0 / std::sqrt(1.25), 1e-14);
+        EXPECT_NEAR(glm::length(normal), 1.0, 1e-14);
+    }
+}
+
+TEST(NormalMap, FilteredToNothingSaysNothing) {
+    Scene scene;
+    add_quad(scene, glm::dmat4(1.0), {.name = "bumpy", .normal_texture = 0});
+    expect_vector(middle_surface(scene, kFrontCamera, {texels_with({0.50002F, 0.5F, 0.5F})}).normal, {0, 0, 1});
 }
 
 TEST(NormalMap, IsOfMaterialsThatHaveOne) {

@@ -111,14 +111,20 @@ TEST(Assemble, the_crossover_is_found_where_it_was_planted) {
     const Json crossovers = assemble_report(journal).at("crossovers");
     ASSERT_THAT(crossovers, SizeIs(1));
     const Json& crossover = crossovers[0];
-    EXPECT_EQ(
-        crossover.at("a"),
-        (Json{
-            {"path", "deferred"}, {"layout", "oct16"}, {"light_lists", nullptr}, {"hdr", "rgba16f"}, {"skip", "all"}}));
-    EXPECT_EQ(
-        crossover.at("b"),
-        (Json{
-            {"path", "forward"}, {"layout", nullptr}, {"light_lists", nullptr}, {"hdr", "rgba16f"}, {"skip", "all"}}));
+    EXPECT_EQ(crossover.at("a"), (Json{{"path", "deferred"},
+                                       {"layout", "oct16"},
+                                       {"light_lists", nullptr},
+                                       {"hdr", "rgba16f"},
+                                       {"skip", "all"},
+                                       {"guards", "on"},
+                                       {"sums", "plain"}}));
+    EXPECT_EQ(crossover.at("b"), (Json{{"path", "forward"},
+                                       {"layout", nullptr},
+                                       {"light_lists", nullptr},
+                                       {"hdr", "rgba16f"},
+                                       {"skip", "all"},
+                                       {"guards", "on"},
+                                       {"sums", "plain"}}));
     // Interpolating between 16 and 64 lights is not the true curve: allow what a straight line there leaves.
     EXPECT_NEAR(crossover.at("lights").get<double>(), 50.0, 5.0);
     EXPECT_LT(crossover.at("low").get<double>(), crossover.at("lights").get<double>());
@@ -365,6 +371,34 @@ TEST_F(CheckedReport, passes_the_schema_with_skips) {
             for (const char* key : {"auto_skip", "work_key", "shared_with", "skip_proof"}) cell.erase(key);
         }
     }));
+}
+
+TEST_F(CheckedReport, passes_the_schema_with_guards_and_sums_which_stand_beside_the_others) {
+    for (auto& group : journal_.groups) {
+        SyntheticClock clock(9, 12, 0.03, 0.3);
+        CellParams bare = group.cells[0].params, summed = group.cells[1].params;
+        bare.guards = "off";
+        summed.sums = "compensated";
+        group.cells.push_back(synthetic_cell(bare, 0.9 * crossing_at_50(bare), clock));
+        group.cells.push_back(synthetic_cell(summed, 1.1 * crossing_at_50(summed), clock));
+    }
+    journal_.run.planned_cells += static_cast<int64_t>(2 * journal_.groups.size());
+    const Json report = assemble_report(journal_);
+    EXPECT_EQ(check(report_text(report)), 0);
+    EXPECT_THAT(report.at("pareto")[0].at("points"), SizeIs(5)) << "plain and compensated sums on one front";
+    for (const Json& crossover : report.at("crossovers")) {
+        for (const char* key : {"guards", "sums"}) {
+            EXPECT_EQ(crossover.at("a").at(key), crossover.at("b").at(key)) << crossover;
+        }
+    }
+    Json wrong = report;
+    wrong["cells"][0]["params"]["guards"] = "some";
+    EXPECT_NE(check(report_text(wrong)), 0);
+    Json before = report;  // a report of before
+    for (auto& cell : before["cells"]) {
+        for (const char* key : {"guards", "sums"}) cell["params"].erase(key);
+    }
+    EXPECT_EQ(check(report_text(before)), 0);
 }
 
 TEST_F(CheckedReport, faults_are_found) {

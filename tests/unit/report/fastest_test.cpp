@@ -98,6 +98,30 @@ TEST(Fastest, each_layout_and_each_hdr_format_has_its_own) {
     EXPECT_EQ(fastest[0].view.hdr, "rgba16f");
 }
 
+TEST(Fastest, guards_and_sums_have_contests_of_their_own) {
+    // The unguarded arms are faster, and would win every range of a common contest.
+    auto journal = synthetic_journal(kThree, kLights, three_paths, 60, 0.02);
+    for (auto& group : journal.groups) {
+        SyntheticClock clock(7, 60, 0.02, 0.3);
+        for (const size_t i : {size_t{0}, size_t{1}}) {
+            CellParams params = group.cells[i].params;
+            params.guards = "off";
+            group.cells.push_back(synthetic_cell(params, 1e5 + three_paths(params) / 2.0, clock));
+        }
+    }
+    const auto fastest = find_fastest(journal.groups, {});
+    ASSERT_THAT(fastest, SizeIs(2));
+    for (const auto& contest : fastest) {
+        for (const auto& range : contest.ranges) EXPECT_EQ(range.arm.guards, contest.view.guards);
+    }
+    EXPECT_NE(fastest[0].view.guards, fastest[1].view.guards);
+    EXPECT_THAT(ranges_text(fastest[0]),
+                ElementsAre("forward 1-16!", "deferred_tiled 64-256!", "deferred_clustered 1024-1024!"));
+    for (const auto& crossover : find_crossovers(journal.groups, fastest)) {
+        EXPECT_EQ(crossover.a.guards, crossover.b.guards);
+    }
+}
+
 TEST(Fastest, one_arm_or_one_light_count_is_no_contest) {
     const auto flat = [](const CellParams&) { return 1e6; };
     EXPECT_THAT(find_fastest(synthetic_journal({{"forward", ""}}, {1, 4}, flat).groups, {}), IsEmpty());

@@ -85,6 +85,18 @@ TEST_F(Journal, a_broken_line_is_refused_with_its_number) {
     EXPECT_THAT(input_error([&] { read_journal(file_); }), StartsWith(file_.string() + ":4: not a journal's line"));
 }
 
+// Statistics pair what was taken in one frame.
+TEST_F(Journal, lists_of_different_length_are_refused_with_their_place) {
+    content_.groups[0].cells[0].samples.gpu_ns.pop_back();
+    write_groups(1);
+    EXPECT_THAT(input_error([&] { read_journal(file_); }), HasSubstr(".jsonl:2:/cells/0/samples/gpu_ns: "));
+}
+
+TEST_F(Journal, deep_nesting_is_refused) {
+    std::ofstream(file_) << std::string(100'000, '[') << '\n';
+    EXPECT_THAT(input_error([&] { read_journal(file_); }), HasSubstr("nests deeper than 100"));
+}
+
 TEST_F(Journal, lines_of_another_kind_or_twice_are_refused) {
     write_groups(1);
     const std::string text = read_file(file_);

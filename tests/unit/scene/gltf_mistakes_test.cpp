@@ -123,6 +123,14 @@ TEST_F(GltfMistake, TruncatedBinaryFilesAreRefused) {
     }
 }
 
+TEST_F(GltfMistake, DeepNestingIsRefused) {
+    json deep = json::array();
+    for (int i = 0; i < 200; ++i) deep = json::array({std::move(deep)});
+    EXPECT_THAT(error(with("/extras", deep)), HasSubstr("nests deeper than 100"));
+    EXPECT_THAT(input_error([&] { load_scene(folder_.write("model.glb", with("/extras", deep).glb())); }),
+                HasSubstr("nests deeper than 100"));
+}
+
 TEST_F(GltfMistake, TextThatIsNoGltfIsRefused) {
     for (const char* text : {"", "{", "[]", "{}", "null", R"({"asset": 3})", R"({"asset": {"version": 2}})", "glTF"}) {
         EXPECT_THAT(input_error([&] { load_scene(folder_.write("model.gltf", text)); }), HasSubstr("model.gltf"))

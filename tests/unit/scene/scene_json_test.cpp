@@ -238,6 +238,33 @@ TEST_F(SceneJson, TextThatIsNoJsonIsAnsweredWithItsLine) {
     EXPECT_THAT(input_error([&] { load_scene(path); }), HasSubstr("small.json:2:"));
 }
 
+TEST_F(SceneJson, NamesThatNoFileCanHaveAreRefused) {
+    const std::string too_long(5000, 'x');
+    EXPECT_THAT(error(with("/materials/red/textures", {{"base_color", too_long}})), HasSubstr("there is no file"));
+    EXPECT_THAT(error(with("/instances/0", {{"gltf", too_long}})), HasSubstr("there is no file"));
+    EXPECT_THAT(input_error([&] { load_scene("./" + too_long); }), HasSubstr("no such file"));
+}
+
+TEST_F(SceneJson, AMessageIsOneLineWhateverAKeyHolds) {
+    EXPECT_THAT(error(with("/inst\nances", 1)), HasSubstr("unknown key 'inst?ances'"));
+    EXPECT_THAT(error(with("/materials/a\nb", {{"roughness", 2}})), HasSubstr("/materials/a?b/roughness"));
+}
+
+TEST_F(SceneJson, InstancesAreBoundedOverAllGrids) {
+    const json grid = {
+        {"shape", "ball"}, {"material", "red"}, {"grid", {{"count", {1000, 600, 1}}, {"spacing", {1, 1, 1}}}}};
+    EXPECT_THAT(error(with("/instances", {grid, grid})),
+                AllOf(HasSubstr("/instances/1"), HasSubstr("more than 1000000 instances")));
+}
+
+// Where a value is copied or printed level by level, the stack would end.
+TEST_F(SceneJson, DeepNestingIsRefused) {
+    const std::string deep(100'000, '[');
+    EXPECT_THAT(
+        input_error([&] { load_scene(folder_.write("deep.json", "{\"summary\": \"[[[\\\"[[[\", \"a\":\n" + deep)); }),
+        AllOf(HasSubstr("deep.json:2:100"), HasSubstr("nests deeper than 100")));
+}
+
 TEST_F(SceneJson, TheReadmesExampleLoads) {
     const std::string readme = read_file(resource("scenes/README.md"));
     const size_t begin = readme.find("```json\n") + 8;
