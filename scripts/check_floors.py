@@ -15,7 +15,8 @@ import sys
 # Top first; rooms of one floor do not know each other.
 FLOORS = (
     ("bench/cli", "bench/micro"),
-    ("bench/encodings", "bench/explore", "bench/stress"),
+    ("bench/stress",),
+    ("bench/encodings", "bench/explore"),
     ("bench/measure",),
     ("bench/report",),
     ("bench/plan", "bench/stats", "bench/metrics"),

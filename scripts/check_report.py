@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks reports: strict JSON, results/report.schema.json, and what a schema cannot say (sums, lengths, references).
+"""Checks reports and stress runs: strict JSON, their schema in results/, and what no schema can say (sums, lengths, references).
 
 Usage: check_report.py REPORT...      prints each fault as `file:/pointer: what`; exit code 1 if there is any, 2 on bad usage.
 Debian: python3-jsonschema.
@@ -13,7 +13,8 @@ import sys
 
 import jsonschema
 
-SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "results" / "report.schema.json"
+RESULTS = pathlib.Path(__file__).resolve().parent.parent / "results"
+STRESS = "lightsweep-stress-1"
 MAX_FAULTS_SHOWN = 20
 FRONT_STATES = ("front", "perhaps", "dominated")
 
@@ -192,24 +193,68 @@ def invariant_faults(report):
         yield "/run/stopped_because", "does not agree with summary.complete"
 
 
-def faults(path, schema):
+def curve_faults(result, where):
+    parameter, curve = result["parameter"], result["curve"]
+    if parameter is None:
+        if curve or result["breakdown"] is not None:
+            yield where, "has a curve or a breakdown, but no parameter"
+        return
+    values = [point["parameter"] for point in curve]
+    ends = (parameter["easy"], parameter["hard"])
+    if values != sorted(values, reverse=ends[0] > ends[1]) or not all(min(ends) <= value <= max(ends) for value in values):
+        yield f"{where}/curve", "is not in order from easy to hard, or leaves that range"
+    broken = [point["parameter"] for point in curve if point["status"] != "pass"]
+    if result["breakdown"] != (broken[0] if broken else None):
+        yield f"{where}/breakdown", f"is {result['breakdown']}, but the curve's first is {broken[:1]}"
+    found = {point["status"] for point in curve}
+    worst = next((status for status in ("fail", "limit", "pass") if status in found), result["status"])
+    if curve and result["status"] not in (worst, "fail"):
+        yield f"{where}/status", f"is {result['status']}, but the curve has {worst}"
+
+
+def stress_faults(run):
+    results = run["cases"]
+    for index, result in enumerate(results):
+        where = f"/cases/{index}"
+        if (result["status"] == "pass") != (result["reason"] is None):
+            yield f"{where}/reason", "stands beside a pass, or is missing beside another status"
+        if result["arm"] != " ".join(f"{axis}={value}" for axis, value in result["axes"].items()):
+            yield f"{where}/arm", "is not what its axes say"
+        yield from curve_faults(result, where)
+    arms = collections.Counter((result["id"], result["arm"]) for result in results)
+    for (case, arm), count in arms.items():
+        if count > 1:
+            yield "/cases", f"{case} stands {count} times on the arm '{arm}'"
+    statuses = collections.Counter(result["status"] for result in results)
+    counted = {"cases": len({result["id"] for result in results}), "arms": len(results)}
+    counted |= {status: statuses[status] for status in ("pass", "limit", "fail", "skipped")}
+    if run["summary"] != counted:
+        yield "/summary", f"are not the counts of the cases: {counted}"
+
+
+def faults(path, schemas):
     try:
         report = strict_json(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         return [("/", str(error))]
     # The invariants take the shape for granted.
-    return list(schema_faults(report, schema)) or list(invariant_faults(report))
+    if isinstance(report, dict) and report.get("schema") == STRESS:
+        environment = schemas["report"]["properties"]["environment"]
+        found = list(schema_faults(report, schemas["stress"])) or list(schema_faults(report["environment"], environment))
+        return found or list(stress_faults(report))
+    return list(schema_faults(report, schemas["report"])) or list(invariant_faults(report))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("reports", nargs="+", type=pathlib.Path, metavar="REPORT")
     arguments = parser.parse_args()
-    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
-    jsonschema.Draft202012Validator.check_schema(schema)
+    schemas = {kind: json.loads((RESULTS / f"{kind}.schema.json").read_text(encoding="utf-8")) for kind in ("report", "stress")}
+    for schema in schemas.values():
+        jsonschema.Draft202012Validator.check_schema(schema)
     failed = False
     for path in arguments.reports:
-        found = faults(path, schema)
+        found = faults(path, schemas)
         for where, what in found[:MAX_FAULTS_SHOWN]:
             print(f"{path}:{where}: {what}")
         if len(found) > MAX_FAULTS_SHOWN:

@@ -36,9 +36,31 @@ foreach(file IN LISTS cli_tests)
                        "LIGHTSWEEP_PROGRAM=$<TARGET_FILE:lightsweep>;LIGHTSWEEP_BUILD=${PROJECT_BINARY_DIR};${gl_environment}")
 endforeach()
 
+# Every stress case is tried, and every planted defect: minutes of drawing, two processes at a time.
+set_tests_properties(cli.stress cli.stress_defects PROPERTIES TIMEOUT 900 PROCESSORS 2)
+
 add_test(NAME check.floors COMMAND ${LIGHTSWEEP_PYTHON} -B ${PROJECT_SOURCE_DIR}/scripts/check_floors.py)
-file(GLOB_RECURSE committed_reports CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/results/*report.json)
+file(GLOB_RECURSE committed_reports CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/results/*report.json
+     ${PROJECT_SOURCE_DIR}/results/*stress.json)
 if(committed_reports)
   add_test(NAME check.committed_reports
            COMMAND ${LIGHTSWEEP_PYTHON} -B ${PROJECT_SOURCE_DIR}/scripts/check_report.py ${committed_reports})
 endif()
+
+# tests/fuzz/<reader>_fuzz.cpp: any bytes for a reader of files. With libFuzzer (scripts/fuzz.sh) they are programs that
+# search; otherwise each is a test that replays its corpus and mutations of it.
+option(LIGHTSWEEP_FUZZ "Build the fuzz targets with Clang's libFuzzer, to search with" OFF)
+file(GLOB fuzz_targets CONFIGURE_DEPENDS fuzz/*_fuzz.cpp)
+foreach(file IN LISTS fuzz_targets)
+  get_filename_component(name ${file} NAME_WE)
+  string(REPLACE "_fuzz" "" reader ${name})
+  add_executable(fuzz_${reader} ${file})
+  target_link_libraries(fuzz_${reader} PRIVATE lightsweep_report lightsweep_gbuffer lightsweep_options)
+  if(LIGHTSWEEP_FUZZ)
+    target_link_options(fuzz_${reader} PRIVATE -fsanitize=fuzzer)
+  else()
+    target_sources(fuzz_${reader} PRIVATE fuzz/replay_main.cpp)
+    add_test(NAME fuzz.${reader} COMMAND fuzz_${reader} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${reader})
+    set_tests_properties(fuzz.${reader} PROPERTIES LABELS fuzz TIMEOUT 120)
+  endif()
+endforeach()

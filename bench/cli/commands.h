@@ -22,6 +22,7 @@ Command add_explore(CLI::App& app, const std::vector<std::string>& arguments);
 Command add_render(CLI::App& app);
 Command add_diff(CLI::App& app);
 Command add_encodings(CLI::App& app);
+Command add_stress(CLI::App& app, const std::vector<std::string>& arguments);
 Command add_compare(CLI::App& app);
 Command add_merge(CLI::App& app);
 

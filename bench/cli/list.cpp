@@ -3,6 +3,7 @@
 #include "bench/cli/table.h"
 #include "bench/metrics/metrics.h"
 #include "bench/plan/sweep.h"
+#include "bench/stress/cases.h"
 #include "renderer/base/json_reader.h"
 #include "renderer/base/names.h"
 #include "renderer/base/resources.h"
@@ -87,6 +88,28 @@ Json skips() {
     return list;
 }
 
+// An arm may have a bound of its own. Of a ratio or an angle none else is 0.
+std::string bound_text(const StressCase& stress_case) {
+    const bool by_arm = stress_case.bound == 0.0 && (stress_case.unit == "rel" || stress_case.unit == "deg");
+    return by_arm ? "by arm" : fmt::format("{:.3g} {}", stress_case.bound, stress_case.unit);
+}
+
+Json stress() {
+    Json list = Json::array();
+    for (const StressCase* stress_case : all_stress_cases()) {
+        Json parameter;  // null: there is none
+        if (const auto& turned = stress_case->parameter) {
+            parameter = fmt::format("{}, {:g} to {:g}{}{}", turned->name, turned->easy, turned->hard,
+                                    turned->unit.empty() ? "" : " ", turned->unit);
+        }
+        list.push_back({{"id", stress_case->id},
+                        {"summary", stress_case->summary},
+                        {"parameter", std::move(parameter)},
+                        {"bound", bound_text(*stress_case)}});
+    }
+    return list;
+}
+
 const std::vector<std::pair<std::string, Json (*)()>> kLists = {
     {"paths", [] { return key_and_summary(all_paths()); }},
     {"layouts", layouts},
@@ -96,6 +119,7 @@ const std::vector<std::pair<std::string, Json (*)()>> kLists = {
     {"post", [] { return key_and_summary(all_post_effects()); }},
     {"sweeps", [] { return data_files("bench/sweeps"); }},
     {"skips", skips},
+    {"stress", stress},
     {"views", views},
     {"devices", devices},
 };

@@ -31,6 +31,7 @@ int run_program(int argc, char** argv) {
         {"merge", add_merge},
         {"run", [&](CLI::App& command) { return add_run(command, arguments); }},
         {"explore", [&](CLI::App& command) { return add_explore(command, arguments); }},
+        {"stress", [&](CLI::App& command) { return add_stress(command, arguments); }},
     };
     std::map<std::string, Command> commands;
     std::vector<std::string> names;

@@ -21,8 +21,12 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(size_t group_count, std::optional<double> budget_s)
-    : terminal_(isatty(STDERR_FILENO) != 0), count_(group_count), budget_s_(budget_s), start_ns_(now_ns()) {}
+ProgressBar::ProgressBar(size_t group_count, std::optional<double> budget_s, std::string word)
+    : terminal_(isatty(STDERR_FILENO) != 0),
+      count_(group_count),
+      budget_s_(budget_s),
+      word_(std::move(word)),
+      start_ns_(now_ns()) {}
 
 void ProgressBar::update(size_t index, double fraction, const std::string& group) {
     const int64_t now = now_ns();
@@ -33,8 +37,9 @@ void ProgressBar::update(size_t index, double fraction, const std::string& group
     double left = elapsed / std::max(done, 1e-3) - elapsed;
     if (budget_s_) left = std::min(left, *budget_s_ - elapsed);
     const auto filled = static_cast<size_t>(done * kBarWidth);
-    fmt::print(stderr, "\r\x1b[K[{}{}] {:3.0f} %  group {}/{}  {} left  {}", std::string(filled, '='),
-               std::string(kBarWidth - filled, ' '), 100.0 * done, index + 1, count_, duration_text(left), group);
+    fmt::print(stderr, "\r\x1b[K[{}{}] {:3.0f} %  {} {}/{}  {} left  {}", std::string(filled, '='),
+               std::string(kBarWidth - filled, ' '), 100.0 * done, word_, index + 1, count_, duration_text(left),
+               group);
     std::fflush(stderr);
 }
 

@@ -24,8 +24,10 @@ class Installed(ProgramTest):
             options = {"program": which} if which else {}
             self.assert_done("render", "--scene", "cornell", "--size", "32x32", "--device", "surfaceless", "-o", f"{name}.png", **options)
         self.assertEqual(*((self.folder / f"{name}.png").read_bytes() for name in ("installed", "built")))
-        plot = subprocess.run([sys.executable, "-B", data / "scripts/plot.py", "--help"], capture_output=True, text=True, check=False)
-        self.assertEqual(plot.returncode, 0, plot.stderr)
+        for name in ("plot.py", "plot_stress.py"):
+            plot = subprocess.run([sys.executable, "-B", data / "scripts" / name, "--help"], capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(plot.returncode, 0, plot.stderr)
 
 
 if __name__ == "__main__":
