@@ -141,6 +141,10 @@ void make_folder(const fs::path& folder) {
     if (failure) throw InputError(folder.string(), "cannot be made: " + failure.message());
 }
 
+bool all_finite(const std::vector<UlpRow>& functions) {
+    return std::ranges::all_of(functions, [](const UlpRow& row) { return row.non_finite == 0; });
+}
+
 int run_cases(const StressOptions& options, const std::vector<std::string>& arguments) {
     const int64_t start_ns = now_ns();
     const auto plan = plan_cases(options);
@@ -161,15 +165,17 @@ int run_cases(const StressOptions& options, const std::vector<std::string>& argu
     write_file_atomically(file, report_text(json) + "\n");
     fmt::print("{}", options.json ? report_text(json) + "\n" : stress_text(json));
     fmt::print(stderr, "{}: {:.0f} s\n", file.string(), static_cast<double>(now_ns() - start_ns) * 1e-9);
-    return json.at("summary").at("fail") == 0 ? kDone : kVerdictFailed;
+    return json.at("summary").at("fail") == 0 && (!run.ulp || all_finite(*run.ulp)) ? kDone : kVerdictFailed;
 }
 
 int run_ulp(const StressOptions& options) {
+    if (!options.out.empty()) throw InputError("stress ulp --out", "it writes no file; --json prints for programs");
     const auto context = options.device.make_context();
-    const Json rows = ulp_json(measure_ulp(options.quick));
+    const auto functions = measure_ulp(options.quick);
+    const Json rows = ulp_json(functions);
     context->throw_on_debug_errors("stress ulp");
     fmt::print("{}", options.json ? report_text(rows) + "\n" : ulp_text(rows));
-    return kDone;
+    return all_finite(functions) ? kDone : kVerdictFailed;
 }
 
 int64_t failures(const FuzzReport& report) {
@@ -203,6 +209,7 @@ std::string fuzz_text(const FuzzReport& report) {
 }
 
 int run_fuzz(const StressOptions& options) {
+    if (options.quick) throw InputError("stress fuzz --quick", "not of fuzz; allowed: --seconds, --only");
     const auto context = options.device.make_context();
     Workbench bench(context->limits());
     FuzzOptions fuzz_options = options.fuzz;

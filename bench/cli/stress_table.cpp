@@ -29,13 +29,13 @@ std::string short_number(double value) {
     return text;
 }
 
-// `pass`, `limit 3.2e4`, `FAIL 12`: the number is the breakdown.
+// `pass`, `limit 3.2e4`, `FAIL 12`: the number is the breakdown, or the first value that fails.
 std::string verdict_text(const Json& entry) {
     const std::string status = text_of(entry, "status");
     if (status == "skipped") return "-";
     const std::string word = status == "fail" ? "FAIL" : status;
-    const Json& breakdown = entry.at("breakdown");
-    return breakdown.is_null() ? word : word + " " + short_number(breakdown.get<double>());
+    const Json& at = entry.at(status == "fail" ? "at" : "breakdown");
+    return at.is_null() ? word : word + " " + short_number(at.get<double>());
 }
 
 // The choices that all arms of a table share, where they have that axis at all: said once, in its title. The rows of

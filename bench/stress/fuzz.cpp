@@ -85,6 +85,7 @@ class Fuzzer {
                                           file.string(), c.path, c.width, c.height, c.hdr, c.skip);
         if (!c.layout.empty()) command += " --layout " + c.layout;
         if (!c.light_lists.empty()) command += " --light-lists " + c.light_lists;
+        if (c.sums != kSums.front()) command += " --sums " + c.sums;
         return fmt::format("seed {}: {}; {} -o picture.exr", seed, failing.reason, command);
     }
 

@@ -73,6 +73,22 @@ std::vector<double> steps(const StressParameter& parameter, bool quick) {
     return values;
 }
 
+// Tries from easy to hard. The first value beyond the bound, narrowed unless `quick`.
+std::optional<double> look_for_breakdown(const StressCase& stress_case, bool quick, Judge& trials) {
+    if (!stress_case.parameter) {
+        trials.at(0.0);
+        return {};
+    }
+    std::optional<double> breakdown;
+    double right = 0.0;
+    for (const double value : steps(*stress_case.parameter, quick)) {
+        const bool passes = trials.at(value).verdict == StressVerdict::pass;
+        if (!passes && !breakdown) breakdown = quick || right == 0.0 ? value : trials.narrow(right, value);
+        right = value;
+    }
+    return breakdown;
+}
+
 double excess(const StressPoint& point) {
     if (point.found.non_finite > 0 || !std::isfinite(point.found.error)) return INFINITY;
     return point.bound > 0.0 ? point.found.error / point.bound : point.found.error;
@@ -131,38 +147,37 @@ StressResult judge(const StressCase& stress_case, const StressArm& arm, Workbenc
 StressResult judge(const StressCase& stress_case, const StressArm& arm, const std::function<StressTrial()>& begin,
                    bool quick) {
     StressResult result{.of = &stress_case, .arm = arm};
+    const auto end = [&](StressVerdict verdict, const std::exception& error) {
+        result.verdict = verdict;
+        result.reason = error.what();
+    };
+    // Only before anything was tried may an arm be refused.
+    StressTrial trial;
     try {
-        Judge trials(stress_case, begin());
-        if (!stress_case.parameter) {
-            trials.at(0.0);
-        } else {
-            double right = 0.0;
-            for (const double value : steps(*stress_case.parameter, quick)) {
-                const bool passes = trials.at(value).verdict == StressVerdict::pass;
-                if (!passes && !result.breakdown) {
-                    result.breakdown = quick || right == 0.0 ? value : trials.narrow(right, value);
-                }
-                right = value;
-            }
-        }
-        result.curve = trials.take_curve();
-        if (stress_case.parameter) {
-            const bool rising = stress_case.parameter->hard > stress_case.parameter->easy;
-            std::ranges::stable_sort(result.curve, [&](const StressPoint& a, const StressPoint& b) {
-                return rising ? a.parameter < b.parameter : a.parameter > b.parameter;
-            });
-        }
-        decide(result);
+        trial = begin();
     } catch (const InputError& error) {
-        result.verdict = StressVerdict::skipped;
-        result.reason = error.what();
+        end(StressVerdict::skipped, error);
     } catch (const EnvironmentError& error) {
-        result.verdict = StressVerdict::skipped;
-        result.reason = error.what();
+        end(StressVerdict::skipped, error);
     } catch (const std::exception& error) {
-        result.verdict = StressVerdict::fail;
-        result.reason = error.what();
+        end(StressVerdict::fail, error);
     }
+    if (!trial) return result;
+
+    Judge trials(stress_case, std::move(trial));
+    try {
+        result.breakdown = look_for_breakdown(stress_case, quick, trials);
+    } catch (const std::exception& error) {
+        end(StressVerdict::fail, error);
+    }
+    result.curve = trials.take_curve();
+    if (stress_case.parameter) {
+        const bool rising = stress_case.parameter->hard > stress_case.parameter->easy;
+        std::ranges::stable_sort(result.curve, [&](const StressPoint& a, const StressPoint& b) {
+            return rising ? a.parameter < b.parameter : a.parameter > b.parameter;
+        });
+    }
+    if (result.verdict != StressVerdict::fail) decide(result);
     return result;
 }
 

@@ -68,7 +68,7 @@ const std::vector<Guarded>& guarded_functions() {
          1.0},
         {"spheremap_off_the_disc", {"gbuffer/encodings/spheremap.glsl"}, "decode_spheremap(vec2(0.0, x))", 1.0, 1.0},
         {"xy_z_off_the_disc", {"gbuffer/encodings/xy_z.glsl"}, "decode_xy_z(vec2(-x, 0.0), ivec2(40, 90))", 1.0, 1.0},
-        {"srgb_below_0", {"lib/display.glsl"}, "srgb_encode(clamp(vec3(x), 0.0, 1.0))", 0.0, -1.0},
+        {"srgb_below_0", {"lib/display.glsl"}, "displayed(vec3(x))", 0.0, -1.0},
         {"slice_below_0",
          {"shared/types.h", "shared/light_cell.h"},
          "vec3(float(slice_of(LightGridData(16u, 1u, 1u, 24u, 1.8, 6.0, 0.0, 0.0, 0.0, 0.0, 0u, 0u), x)))",

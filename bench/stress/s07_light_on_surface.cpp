@@ -78,6 +78,7 @@ StressTrial begin(Workbench& bench, const StressArm& arm) {
         const Image below = draw(-distance, 1);
         if (distance >= kLeastCertain) note(*std::ranges::max_element(below.rgb), "lit from below");
         const Image one = draw(distance, 1);
+        if (distance >= kLeastCertain && !(one.pixel(kSize / 2, kSize / 2)[0] > 0.0F)) note(1.0, "black below a light");
         note(sum_error(one, draw(distance, kTogether)), "lights at one place");
         return found;
     };

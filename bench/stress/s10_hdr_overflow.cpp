@@ -56,6 +56,9 @@ class Overflow {
     Overflow(Workbench& bench, const StressArm& arm)
         : drawing_(bench, arm, plane(), kSize, kSize),
           holds_(largest_radiance(arm, drawing_)),
+          what_ends_(holds_ < hdr_channel(drawing_).largest && arm.get(kHdrAxis) == "rgba32f"
+                         ? "sums of lights are cut off"
+                         : "ends"),
           bound_(hdr_rounding(arm, drawing_, kLights) + kShading),
           surfaces_(drawing_.surfaces()) {
         drawing_.set_lights(lights_of(1.0));
@@ -79,7 +82,7 @@ class Overflow {
                 found.error = std::max(found.error, std::abs(stored - exact[i][c]) / radiance);
             }
         }
-        if (radiance > holds_) found.limit = fmt::format("ends at {:.5g}, and is shown white beyond", holds_);
+        if (radiance > holds_) found.limit = fmt::format("{} at {:.5g}, and is shown white beyond", what_ends_, holds_);
         return found;
     }
 
@@ -106,7 +109,9 @@ class Overflow {
     }
 
     Drawing drawing_;
-    double holds_, bound_;
+    double holds_;
+    std::string_view what_ends_;
+    double bound_;
     std::vector<ReferenceSurface> surfaces_;
     double of_unit_ = 1.0;  // radiance of the brightest pixel under lights of intensity 1
 };

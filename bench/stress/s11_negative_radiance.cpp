@@ -46,7 +46,7 @@ class Negative {
         }
         if (!has_sign_) {
             found.law = lost(share);
-            found.limit = "an unsigned format holds nothing below 0";
+            found.where = "an unsigned format holds nothing below 0";
         }
         return found;
     }

@@ -24,11 +24,14 @@ constexpr double kSpread = 1e4;           // the brightest over the faintest
 constexpr double kFaintest = 0.0125;      // reflects 1e-3, far from where half floats end at either side
 constexpr uint64_t kSeed = 12;
 
-// Blended: half a step of 8 bits. Registers: (N - 1) u, u = 2^-24, for the most lights; or, compensated, 2 u whatever N
-// is, and the products' roundings.
+// Blended: half a step of 8 bits. Registers: (N - 1) u, u = 2^-24 (Higham 2002, "Accuracy and Stability of Numerical
+// Algorithms", 4.2); or, compensated, 2 u whatever N is; and the products' roundings.
 constexpr double kDisplayBound = 1.0 / 510.0;
-constexpr double kRegisterBound = kMostLights * 0x1p-24;
-constexpr double kCompensatedBound = 0x1p-21;
+constexpr double kProductsBound = 0x1p-21;
+
+double register_bound(bool compensated, double lights) {
+    return kProductsBound + (compensated ? 0.0 : (lights - 1.0) * 0x1p-24);
+}
 
 std::vector<Light> lights_of(const std::vector<int>& levels) {
     std::vector<Light> lights;
@@ -48,11 +51,9 @@ class LongSum {
         mantissa_bits_ = hdr_channel(drawing_).mantissa_bits;
         if (blends_lights(arm, drawing_)) {
             blend_ = probe_rounding(format).blend;
-            bound_ = kDisplayBound;
-        } else {
-            bound_ = arm.get(kSumsAxis) == kCompensatedSums ? kCompensatedBound : kRegisterBound;
         }
-        if (format != gl::Format::RGBA32F) bound_ += hdr_channel(drawing_).epsilon();  // of storing it once
+        compensated_ = arm.get(kSumsAxis) == kCompensatedSums;
+        if (format != gl::Format::RGBA32F) stored_ = hdr_channel(drawing_).epsilon();
         draw_each_alone(bench, arm);
     }
 
@@ -68,7 +69,7 @@ class LongSum {
         const Image image = drawing_.draw();
         const double sum = image.pixel(kX, kY)[channel_];
         StressMeasurement found{.error = std::abs(sum / exact - 1.0),
-                                .bound = bound_,
+                                .bound = stored_ + (blend_ ? kDisplayBound : register_bound(compensated_, parameter)),
                                 .non_finite = count_non_finite(image),
                                 .where = fmt::format("{:.7g} for {:.7g}", sum, exact)};
         if (blend_ && *blend_ != Rounding::other) {
@@ -105,7 +106,8 @@ class LongSum {
     int channel_ = 0;
     int mantissa_bits_ = 0;
     std::optional<Rounding> blend_;  // of paths that add in the HDR target
-    double bound_ = 0.0;
+    bool compensated_ = false;
+    double stored_ = 0.0;        // what storing the sum once rounds off
     std::vector<double> alone_;  // what a light of each level adds
 };
 
@@ -116,7 +118,13 @@ std::vector<ArmBlock> arms() {
         {{path, {"deferred"}}, {hdr, {"rgba32f"}}, {sums, {"plain", kCompensatedSums}}, {order, kOrders}},
         {{path, {"forward", "deferred"}}, {hdr, formats}, {sums, {"plain"}}, {order, {"equal"}}},
         {{path, {"deferred_scissor"}}, {hdr, formats}, {order, kOrders}},
-        {{path, {"forward_multipass"}}, {hdr, formats}, {order, {"equal"}}},
+        {{path, {"forward_multipass", "deferred_volumes"}}, {hdr, formats}, {order, {"equal"}}},
+        {{path,
+          {"forward", "forward_prepass", "forward_tiled", "forward_clustered", "deferred_tiled", "deferred_clustered",
+           "visibility"}},
+         {hdr, {"rgba32f"}},
+         {sums, {"plain", kCompensatedSums}},
+         {order, {"equal"}}},
     };
 }
 

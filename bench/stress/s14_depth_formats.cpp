@@ -63,9 +63,11 @@ class DepthTrial {
         const std::vector<glm::vec4> back = read_pixels(decoded_);
         StressMeasurement found;
         double law = 0.0;
+        bool between_planes = true;
         for (size_t i = 0; i < sent.size(); ++i) {
             const double z = static_cast<double>(sent[i].x), rebuilt = static_cast<double>(back[i].x);
             law = std::max(law, law_.distance_error(z));
+            between_planes = between_planes && rebuilt >= near_ * (1.0 - kWindow) && rebuilt <= far_ * (1.0 + kWindow);
             if (!std::isfinite(rebuilt)) {
                 ++found.non_finite;
             } else if (const double error = std::abs(rebuilt - z) / z; error > found.error) {
@@ -75,7 +77,7 @@ class DepthTrial {
         }
         if (law <= kLastLaw) {
             found.law = law;
-        } else {
+        } else if (between_planes) {
             found.limit = "one step of depth is as wide as what is left to the far plane";
         }
         return found;

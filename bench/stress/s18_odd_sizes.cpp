@@ -79,8 +79,11 @@ extern const StressCase stress_odd_sizes{
     .summary = "pictures of 1x1, 1xN, Nx1, odd sizes, remainders of a tile, and as wide and high as the device allows",
     .measures = "worst pixel against double precision, of what is brighter than 1 % of the brightest",
     .unit = "rel",
-    .bound = 1e-4,
-    .bound_source = "2^-24 of each of some hundred operations; the window 1 - (d / r)^4 cancels, at 1 % of the light",
+    .bound = 1800 * 0x1p-24,
+    .bound_source =
+        "a hundred roundings of 2^-24, 18 times over: at 1 % of a light's brightness the window (1 - q)^2, q = (d / "
+        "r)^4, "
+        "has q = 0.9, and takes 2 q / (1 - q) times q's error",
     .failure = "black or flickering tiles along the right and the upper edge",
     .arms = arms,
     .begin = begin};

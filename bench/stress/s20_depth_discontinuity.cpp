@@ -89,8 +89,11 @@ extern const StressCase stress_depth_discontinuity{
     .summary = "planks before planks, from the near to the far plane, with lights at each and sky between; sky alone",
     .measures = "worst pixel against double precision, of what is brighter than a lit plank's hundredth; 1: sky is lit",
     .unit = "rel",
-    .bound = 1e-4,
-    .bound_source = "2^-24 of each of some hundred operations, on positions ten times as far as their light",
+    .bound = 1800 * 0x1p-24,
+    .bound_source =
+        "a hundred roundings of 2^-24, 18 times over: at 1 % of a light's brightness the window (1 - q)^2, q = (d / "
+        "r)^4, "
+        "has q = 0.9, and takes 2 q / (1 - q) times q's error",
     .failure = "halos and square cut-outs around things in front of something far",
     .arms = arms,
     .begin = begin};

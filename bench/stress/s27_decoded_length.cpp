@@ -129,7 +129,7 @@ extern const StressCase stress_decoded_length{
     .measures = "length of the decoded normal less 1, and the GGX peak with it over the exact peak less 1",
     .unit = "rel",
     .bound = kLengthBound,
-    .bound_source = "a few roundings of 2^-24; the peak goes with the length to the power -5",
+    .bound_source = "16 roundings of 2^-24; the peak goes with the length to the power -5",
     .failure = "highlights that are too bright or too dim, in steps",
     .arms = arms,
     .begin = begin};

@@ -2,7 +2,9 @@
 // as much as the exact one, and besides by what each of the two was off.
 #include "bench/stress/case.h"
 #include "bench/stress/far_scene.h"
+#include "bench/stress/stored_surfaces.h"
 #include "renderer/frame/frame.h"
+#include "renderer/reference/reference.h"
 
 #include <fmt/format.h>
 
@@ -33,6 +35,14 @@ struct Shots {
 Shot take(Drawing& drawing, const Camera& camera) {
     drawing.set_camera(camera);
     return {drawing.draw(), drawing.reference()};
+}
+
+// As exact shading of what the layout stores would show it.
+Shot take_stored(Drawing& drawing, const Camera& camera) {
+    drawing.set_camera(camera);
+    const auto surfaces = drawing.surfaces();
+    const auto stored = drawing.reference(stored_surfaces(drawing, surfaces).surfaces);
+    return {to_image(stored, kSide, kSide), drawing.reference(surfaces)};
 }
 
 glm::dvec3 drawn(const Shot& shot, size_t pixel) {
@@ -94,9 +104,14 @@ StressTrial begin(Workbench& bench, const StressArm& arm) {
     // What each of two pictures is off at the origin, together.
     const double off = picture_errors(at_origin.before.exact, at_origin.before.picture, kDarkest).max +
                        picture_errors(at_origin.after.exact, at_origin.after.picture, kDarkest).max;
-    return [far, drawing, step, off](double distance) {
+    std::optional<double> law;
+    if (packs(arm)) {
+        const Camera& camera = far->at_origin().camera;
+        law = jitter({take_stored(*drawing, camera), take_stored(*drawing, stepped(camera, step))}).error;
+    }
+    return [far, drawing, step, off, law](double distance) {
         StressMeasurement found = jitter(take_step(*drawing, far->at(distance), step));
-        found.law = off;
+        found.law = law;
         found.bound = std::min(kTimesOrigin * off, kSeen);
         return found;
     };
@@ -110,7 +125,10 @@ extern const StressCase stress_small_steps{
     .measures = "largest change of a pixel beyond the exact one's, over its brightness",
     .unit = "rel",
     .bound = kSeen,
-    .bound_source = "a display's step of 1/255; or twice what two pictures are off at the origin, where that is less",
+    .bound_source =
+        "a display's step of 1/255; or twice what two pictures are off at the origin, where that is less; law, of "
+        "layouts "
+        "that pack: the same step at the origin, exactly shaded from what the layout stores",
     .failure = "still pictures shimmer; edges and highlights crawl when the camera moves slowly",
     .parameter = StressParameter{.name = "distance from the origin",
                                  .unit = "units",

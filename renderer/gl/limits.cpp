@@ -61,6 +61,12 @@ int64_t count_loop_rounds() {
         "    made = count;\n"
         "}\n";
     const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked == GL_FALSE) {  // nothing is known of such a limit
+        glDeleteProgram(program);
+        return kMostLoopRounds;
+    }
     std::array<GLuint, 2> rounds{kMostLoopRounds, 0};
     GLuint buffer = 0;
     glCreateBuffers(1, &buffer);

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::inv_pi;
 
 constexpr double kMinAlpha = 0.002;   // sharper lobes are narrower than any light
-constexpr double kMinCosine = 1e-4;   // of the view, in the masking term
+constexpr double kMinCosine = 1e-4;   // of view and light, in the masking term
 constexpr double kMinFacet = 1e-20;   // of n.h, in Blinn-Phong's power
 constexpr double kDielectric = 0.04;  // reflectance of what is no metal, seen straight on
 
@@ -66,8 +66,10 @@ LIGHTSWEEP_CLONES void reflect_ggx(GgxLanes& s, const IncidentLanes& in, double 
         // Distribution D = a^2 / pi ((n.h)^2 a^2 + |n x h|^2)^2 and visibility V = 1 / 2 (n.l G(v) + n.v G(l)), both
         // with the half vector's length multiplied out, in one division.
         const double spread = h.along * h.along * alpha2 + h.across2;
-        const double light_masking = std::sqrt(n_dot_l * n_dot_l + alpha2 * ((1.0 - n_dot_l) * (1.0 + n_dot_l)));
-        const double masking = n_dot_l * s.view_masking[i] + s.visible_cosine[i] * light_masking;
+        const double lit_cosine = std::max(n_dot_l, kMinCosine);
+        const double light_masking =
+            std::sqrt(lit_cosine * lit_cosine + alpha2 * ((1.0 - lit_cosine) * (1.0 + lit_cosine)));
+        const double masking = lit_cosine * s.view_masking[i] + s.visible_cosine[i] * light_masking;
         const double lobe = 0.5 * inv_pi * alpha2 * (h.length2 * h.length2) / (spread * spread * masking);
         const double specular = h.along > 0.0 ? lobe : 0.0;
         // Fresnel F = f0 (1 - m) + m; what it lets through, (1 - f0) (1 - m), feeds the diffuse part.

@@ -12,7 +12,7 @@
 namespace lightsweep {
 
 /// Part of every cached reference's name: raise it when a formula here or in surfaces.cpp changes.
-inline constexpr int kReferenceVersion = 2;
+inline constexpr int kReferenceVersion = 3;
 
 /// Linear radiance per pixel, `width` * `height` of them: emission, ambient, every light that reaches; the scene's
 /// background where no surface is. Bit-equal for any number of threads.
