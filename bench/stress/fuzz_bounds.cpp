@@ -1,5 +1,6 @@
 #include "bench/stress/fuzz_bounds.h"
 
+#include "bench/stress/vector_math.h"
 #include "renderer/base/float_split.h"
 #include "renderer/reference/reference.h"
 #include "renderer/reference/triangle.h"
@@ -17,8 +18,6 @@ constexpr double kLeastRadius = 1e-18;  // of a light in a frame: its square is 
 glm::dvec3 in_float(const glm::dvec3& v) {
     return {rounded_to_float(v.x), rounded_to_float(v.y), rounded_to_float(v.z)};
 }
-
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // A visible triangle relative to the eye, and how much what it carries differs over it.
 struct SeenTriangle {

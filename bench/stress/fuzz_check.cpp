@@ -1,4 +1,5 @@
 #include "bench/stress/fuzz_check.h"
+#include "bench/stress/vector_math.h"
 
 #include "renderer/base/error.h"
 #include "renderer/paths/paths.h"
@@ -22,9 +23,6 @@ constexpr double kEdgeOn = 1e-4;
 constexpr double kPacked = 1e-3;
 // The median of a path that samples textures with coordinates of its own: texels may be others, most are not.
 constexpr double kResampled = 1e-3;
-
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Every instance is drawn by itself, in the scene's order or the other way round, its triangles too.
 Scene one_by_one(const Scene& scene, bool backwards) {
@@ -70,7 +68,7 @@ ReferenceSurface in_double(const DecodedSurface& decoded, ShadingModel model) {
             .covered = decoded.covered};
 }
 
-bool is_finite(const ReferenceSurface& s) {
+bool all_finite(const ReferenceSurface& s) {
     return is_finite(s.position) && is_finite(s.normal) && is_finite(s.base_color) && is_finite(s.specular) &&
            is_finite(s.emissive) && std::isfinite(s.roughness) && std::isfinite(s.metallic);
 }
@@ -249,7 +247,7 @@ FuzzStage::Expected FuzzStage::expected(std::vector<ReferenceSurface> surfaces, 
                                         const std::vector<bool>& torn) const {
     Expected result;
     for (size_t i = 0; i < surfaces.size(); ++i) {
-        const bool known = !surfaces[i].covered || (is_finite(surfaces[i]) &&
+        const bool known = !surfaces[i].covered || (all_finite(surfaces[i]) &&
                                                     steps[i].position <= kEdgeOn * glm::length(surfaces[i].position) &&
                                                     steps[i].normal <= kEdgeOn);
         if (!known) surfaces[i].covered = false;  // what is not finite is not to be shaded
@@ -273,7 +271,7 @@ std::string FuzzStage::surface_fault(const Seen& truth, const std::vector<Decode
             return fmt::format("the G-buffer at {} is {}covered", at, read.covered ? "" : "not ");
         }
         if (!read.covered) continue;
-        if (!is_finite(read)) return fmt::format("the G-buffer at {} is not finite", at);
+        if (!all_finite(read)) return fmt::format("the G-buffer at {} is not finite", at);
         if (!is_control) continue;
         const double moved = glm::length(read.position - right.position),
                      turned = glm::length(read.normal - right.normal);

@@ -1,6 +1,7 @@
 #include "bench/stress/fuzz_compare.h"
 
 #include "bench/stats/quantile.h"
+#include "bench/stress/vector_math.h"
 #include "renderer/base/check.h"
 
 #include <fmt/format.h>
@@ -11,13 +12,9 @@
 namespace lightsweep {
 namespace {
 
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 glm::dvec3 pixel_of(const Image& image, size_t i) {
     return {image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]};
 }
-
-bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "bench/stress/case.h"
 #include "bench/stress/far_scene.h"
 #include "bench/stress/stored_surfaces.h"
+#include "bench/stress/vector_math.h"
 #include "renderer/frame/frame.h"
 #include "renderer/reference/reference.h"
 
@@ -48,8 +49,6 @@ Shot take_stored(Drawing& drawing, const Camera& camera) {
 glm::dvec3 drawn(const Shot& shot, size_t pixel) {
     return {shot.picture.rgb[3 * pixel], shot.picture.rgb[3 * pixel + 1], shot.picture.rgb[3 * pixel + 2]};
 }
-
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // The largest change of a pixel that the exact one does not make, over the brighter of the two.
 StressMeasurement jitter(const Shots& shots) {
